@@ -1,0 +1,124 @@
+#include "commands/listing.hpp"
+
+#include <omp.h>
+
+#include <nlohmann/json.hpp>
+
+#include "headless/context.hpp"
+#include "scenes/build.hpp"
+#include "scenes/catalogue.hpp"
+#include "scenes/request.hpp"
+#include "scenes/scene_file.hpp"
+
+namespace sph {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The widest of the processor's instruction sets that matter to arithmetic on many particles.
+std::vector<std::string> InstructionSets() {
+  std::vector<std::string> sets;
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("sse2")) sets.emplace_back("sse2");
+  if (__builtin_cpu_supports("avx2")) sets.emplace_back("avx2");
+  if (__builtin_cpu_supports("avx512f")) sets.emplace_back("avx512f");
+#endif
+  return sets;
+}
+
+std::string Joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text.empty() ? "none known" : text;
+}
+
+Json PlanAsJson(const ParticleSystem& system) {
+  Json plan = Json::array();
+  for (const PassPlan& pass : system.Plan()) {
+    plan.push_back({{"pass", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
+  }
+  plan.push_back(
+      {{"pass", "drawing"}, {"runs", false}, {"reason", "in the window and `render` only; `run` loads no GL"}});
+  return plan;
+}
+
+}  // namespace
+
+void ListScenes(bool json) {
+  Json list = Json::array();
+  for (const std::string& name : SceneNames()) {
+    const Scene scene = ReadScene(FindScene(name));
+    if (json) {
+      list.push_back({{"name", name},
+                      {"title", scene.title},
+                      {"solver", scene.solver},
+                      {"particles", scene.base.fluid.particles}});
+    } else {
+      fmt::print("{:20} {}\n", name, scene.title);
+    }
+  }
+  if (json) fmt::print("{}\n", list.dump(2));
+}
+
+void DescribeProgram(bool json) {
+  Json back_ends = Json::array();
+  for (const BackendInfo& backend : FindBackends()) {
+    back_ends.push_back(
+        {{"name", backend.name}, {"available", backend.available}, {"description", backend.description}});
+  }
+  const Json info = {{"program", "sphlab"},
+                     {"version", SPHLAB_VERSION},
+                     {"compiler", __VERSION__},
+                     {"instruction_sets", InstructionSets()},
+                     {"threads", omp_get_num_procs()},
+                     {"scenes", AssetsFolder() / "scenes"},
+                     {"gl_back_ends", back_ends}};
+  if (json) {
+    fmt::print("{}\n", info.dump(2));
+    return;
+  }
+  fmt::print("sphlab {}, compiled by {}\n", SPHLAB_VERSION, __VERSION__);
+  fmt::print("threads: {}; instruction sets: {}\n", omp_get_num_procs(), Joined(InstructionSets()));
+  fmt::print("scenes in {}\n", (AssetsFolder() / "scenes").string());
+  for (const Json& backend : back_ends) {
+    fmt::print("GL back-end {}: {}{}\n", backend["name"].get<std::string>(),
+               backend["available"].get<bool>() ? "" : "not available: ", backend["description"].get<std::string>());
+  }
+}
+
+void DescribeScene(const SceneRequest& request, bool json) {
+  const Scene scene = LoadScene(request);
+  const auto system = MakeSystem(scene);
+  const Parameters& p = system->parameters;
+  const Json info = {{"name", scene.name},
+                     {"title", scene.title},
+                     {"about", scene.about},
+                     {"solver", scene.solver},
+                     {"kernel", system->KernelName()},
+                     {"particles", system->State().Size()},
+                     {"particle_mass", p.particle_mass},
+                     {"spacing", system->InitialSpacing()},
+                     {"support_radius", system->Support()},
+                     {"time_step", p.time_step},
+                     {"wall_stiffness", p.wall.stiffness},
+                     {"wall_damping", p.wall.damping},
+                     {"plan", PlanAsJson(*system)}};
+  if (json) {
+    fmt::print("{}\n", info.dump(2));
+    return;
+  }
+  fmt::print("{}: {}\n{}\n\n", scene.name, scene.title, scene.about);
+  fmt::print("solver {} ({}), {} particles of {:.4g} kg/m, {:.4g} m apart, support radius {:.4g} m, step {:.4g} s\n",
+             scene.solver, system->KernelName(), system->State().Size(), p.particle_mass, system->InitialSpacing(),
+             system->Support(), p.time_step);
+  if (!p.walls.empty() && p.wall.kind == WallKind::kPenalty) {
+    fmt::print("walls: stiffness {:.4g} 1/s^2, damping {:.4g} 1/s\n", p.wall.stiffness, p.wall.damping);
+  }
+  fmt::print("\nplan of a step:\n");
+  for (const Json& pass : info["plan"]) {
+    fmt::print("  {:8} {:24} {}\n", pass["runs"].get<bool>() ? "runs" : "skipped", pass["pass"].get<std::string>(),
+               pass["reason"].get<std::string>());
+  }
+}
+
+}  // namespace sph

@@ -1,0 +1,114 @@
+#include "commands/render.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/clock.hpp"
+#include "commands/interrupt.hpp"
+#include "commands/messages.hpp"
+#include "headless/frame_renderer.hpp"
+#include "io/output_directory.hpp"
+#include "io/png.hpp"
+#include "scenes/build.hpp"
+#include "window/key_script.hpp"
+
+namespace sph {
+namespace {
+
+struct Size {
+  int width = 0;
+  int height = 0;
+};
+
+Size ReadSize(const std::string& text) {
+  constexpr int kMost = 16384;
+  Size size;
+  const char* end = text.data() + text.size();
+  const auto [x, width_error] = std::from_chars(text.data(), end, size.width);
+  const bool separated = width_error == std::errc() && x != end && *x == 'x';
+  const auto [rest, height_error] = std::from_chars(separated ? x + 1 : end, end, size.height);
+  const bool in_range = size.width > 0 && size.width <= kMost && size.height > 0 && size.height <= kMost;
+  if (!separated || height_error != std::errc() || rest != end || !in_range) {
+    throw UsageError("--size {}: it takes WIDTHxHEIGHT in pixels, each from 1 to {}, such as 1280x720", text, kMost);
+  }
+  return size;
+}
+
+std::filesystem::path FrameFile(const std::filesystem::path& folder, long frame) {
+  return folder / fmt::format("frame_{:06}.png", frame);
+}
+
+/// Plays a session and writes a frame whenever one is due.
+class FrameWriter {
+ public:
+  FrameWriter(const RenderOptions& options, Size size)
+      : folder_(options.out), renderer_(BackendNamed(options.backend), size.width, size.height) {}
+
+  void Write(const Session& session, const std::filesystem::path& file) {
+    WritePng(file, renderer_.Render(InitialView(session.CurrentScene()), session.colouring,
+                                    [&](Canvas& canvas) { session.System().Draw(canvas); }));
+  }
+  void WriteFrame(const Session& session) { Write(session, FrameFile(folder_, frames_++)); }
+  /// What the key s asks for: one more picture, named after the frame that it comes before.
+  void WriteSaved(const Session& session) { Write(session, folder_ / fmt::format("saved_{:06}.png", frames_)); }
+
+  long Frames() const { return frames_; }
+  const FrameRenderer& Renderer() const { return renderer_; }
+
+ private:
+  std::filesystem::path folder_;
+  FrameRenderer renderer_;
+  long frames_ = 0;
+};
+
+}  // namespace
+
+ExitCode RenderScene(const RenderOptions& options) {
+  CatchInterrupts();
+  const Size size = ReadSize(options.size);
+  Session session(options.common.request);
+  KeyScript keys(options.common.keys, session.CurrentScene());
+  PrepareOutputDirectory(options.out);
+  FrameWriter writer(options, size);
+  const double until = options.until.value_or(session.CurrentScene().until);
+  constexpr double kRoundOff = 1e-6;
+  const long wanted = options.frames.value_or(static_cast<long>(std::floor(until * options.fps + kRoundOff)) + 1);
+  const Stopwatch watch;
+  while (writer.Frames() < wanted && !session.System().Trouble() && !session.quit_requested && !Interrupted()) {
+    const double due = static_cast<double>(writer.Frames()) / options.fps;
+    keys.Play(session);
+    PassOnMessage(session, options.common.quiet);
+    if (session.save_requested) writer.WriteSaved(session);
+    session.save_requested = false;
+    if (session.System().Time() >= due - kRoundOff * session.System().parameters.time_step) {
+      writer.WriteFrame(session);
+    } else if (!session.StepUnlessPaused()) {
+      break;  // no later key can be reached
+    }
+  }
+  if (options.common.json) {
+    const nlohmann::ordered_json report = {{"scene", session.CurrentScene().name},
+                                           {"frames", writer.Frames()},
+                                           {"out", options.out},
+                                           {"width", size.width},
+                                           {"height", size.height},
+                                           {"backend", writer.Renderer().BackendName()},
+                                           {"gl", writer.Renderer().GlDescription()},
+                                           {"time", session.System().Time()},
+                                           {"wall_seconds", watch.Seconds()},
+                                           {"status", session.System().Trouble() ? "unstable" : "ok"}};
+    fmt::print("{}\n", report.dump(2));
+  } else if (!options.common.quiet) {
+    fmt::print("{} frames of {} pixels in {} ({}, {:.1f} s): {} ...\n", writer.Frames(), options.size, options.out,
+               writer.Renderer().BackendName(), watch.Seconds(), FrameFile(options.out, 0).string());
+  }
+  if (const auto& trouble = session.System().Trouble()) {
+    fmt::print(stderr, "sphlab: unstable: {}\n", trouble->Message());
+    return ExitCode::kUnstable;
+  }
+  return Interrupted() ? ExitCode::kInterrupted : ExitCode::kDone;
+}
+
+}  // namespace sph

@@ -1,0 +1,82 @@
+#include "commands/run.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/clock.hpp"
+#include "commands/interrupt.hpp"
+#include "commands/messages.hpp"
+#include "commands/report.hpp"
+#include "commands/time_series.hpp"
+#include "window/key_script.hpp"
+
+namespace sph {
+namespace {
+
+/// "t = 3.1 s of 20 s" on a terminal, a few times a second.
+class Progress {
+ public:
+  explicit Progress(bool wanted) : wanted_(wanted && isatty(STDERR_FILENO) != 0) {}
+  ~Progress() {
+    if (wanted_) fmt::print(stderr, "\r\033[K");
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void Show(double time, double until) {
+    if (!wanted_ || watch_.Seconds() < 0.2) return;
+    watch_.Restart();
+    fmt::print(stderr, "\rt = {:.4g} s of {:.4g} s\033[K", time, until);
+    std::fflush(stderr);
+  }
+
+ private:
+  bool wanted_;
+  Stopwatch watch_;
+};
+
+}  // namespace
+
+ExitCode RunScene(const RunOptions& options) {
+  CatchInterrupts();
+  Session session(options.common.request);
+  KeyScript keys(options.common.keys, session.CurrentScene());
+  TimeSeries series(options.csv, options.every);
+  const double until = options.until.value_or(session.CurrentScene().until);
+  constexpr double kRoundOff = 1e-6;  // of a time step: the sum of the steps is not exact
+  Progress progress(!options.common.quiet);
+  const auto finished = [&] {
+    const ParticleSystemSPH& system = session.System();
+    if (options.steps) return system.Steps() >= *options.steps;
+    return system.Time() >= until - kRoundOff * system.parameters.time_step;
+  };
+  const Stopwatch watch;
+  while (!finished() && !session.System().Trouble() && !session.quit_requested && !Interrupted()) {
+    keys.Play(session);
+    PassOnMessage(session, options.common.quiet);
+    if (session.save_requested) fmt::print(stderr, "s saves nothing in `run`: use `sphlab render`\n");
+    session.save_requested = false;
+    series.Sample(session.System());
+    if (!session.StepUnlessPaused()) break;  // no later key can be reached
+    progress.Show(session.System().Time(), until);
+  }
+  const double wall_seconds = watch.Seconds();
+  const auto& trouble = session.System().Trouble();
+  if (!trouble) session.System().ComputeFields();
+  series.Finish(session.System());
+  const auto report = ReportRun(session, wall_seconds);
+  if (options.common.json) {
+    fmt::print("{}\n", report.dump(2));
+  } else if (!options.common.quiet) {
+    fmt::print("{}", DescribeRun(report));
+  }
+  if (trouble) {
+    fmt::print(stderr, "sphlab: unstable: {}\n", trouble->Message());
+    return ExitCode::kUnstable;
+  }
+  return Interrupted() ? ExitCode::kInterrupted : ExitCode::kDone;
+}
+
+}  // namespace sph

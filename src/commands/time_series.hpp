@@ -1,0 +1,31 @@
+// The CSV file of `run --csv`: sums over the particles against time.
+#pragma once
+
+#include <string>
+
+#include "particles/particle_system.hpp"
+
+namespace sph {
+
+class TimeSeries {
+ public:
+  /// @param path   the file; nothing is sampled or written if it is empty. TroubleError at once if its folder cannot be
+  /// written.
+  /// @param every  simulated time between rows [s]; 0: a row at every call
+  TimeSeries(std::string path, double every);
+
+  /// Adds a row if one is due.
+  void Sample(const ParticleSystem& system);
+  /// Adds the last row and writes the file, whole or not at all.
+  void Finish(const ParticleSystem& system);
+
+ private:
+  void AddRow(const ParticleSystem& system);
+
+  std::string path_;
+  double every_;
+  double next_ = 0;
+  std::string text_;
+};
+
+}  // namespace sph

@@ -1,0 +1,182 @@
+// The command line.
+#include <cstdio>
+
+#include "base/error.hpp"
+#include "base/nearest_name.hpp"
+#include "commands/command_line.hpp"
+#include "commands/figures.hpp"
+#include "commands/listing.hpp"
+#include "commands/render.hpp"
+#include "commands/run.hpp"
+#include "scenes/catalogue.hpp"
+#include "window/window.hpp"
+
+namespace sph {
+namespace {
+
+/// What one call of the program is: the options as read, and the command that they are for.
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.set_help_flag("--help", "what there is");
+    app_.get_formatter()->column_width(34);
+    AddWindow();
+    AddRender();
+    AddRun();
+    AddScenes();
+    AddInfo();
+    AddFigures();
+  }
+
+  ExitCode Run(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return ExplainParseError(error);
+    }
+    return chosen_ ? chosen_() : OpenWindow();
+  }
+
+ private:
+  /// A subcommand that does `work` after parsing.
+  template <typename Work>
+  CLI::App* Add(const std::string& name, const std::string& what, Work work) {
+    CLI::App* command = app_.add_subcommand(name, what);
+    command->callback([this, work] { chosen_ = work; });
+    return command;
+  }
+
+  void AddWindow() {
+    AddSceneOptions(app_, window_);
+    app_.footer(
+        "Without a command: the scene in a window. Exit codes: 0 done, 1 run-time or file trouble, 2 wrong command "
+        "line "
+        "or scene, 3 unstable simulation, 130 interrupted.");
+  }
+
+  void AddRender() {
+    CLI::App* command =
+        Add("render", "PNG frames of a scene, no display needed", [this] { return RenderScene(render_); });
+    AddSceneOptions(*command, render_.common.request);
+    AddOutputOptions(*command, render_.common);
+    command->add_option("--out", render_.out, "folder of the frames")->required();
+    command->add_option("--frames", render_.frames, "how many")->check(CLI::Range(1L, 100'000'000L));
+    command->add_option("--fps", render_.fps, "frames per simulated second")
+        ->check(FinitePositive())
+        ->capture_default_str();
+    command->add_option("--until", render_.until, "simulated end [s]; default: the scene's")->check(FinitePositive());
+    command->add_option("--size", render_.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--backend", render_.backend, "auto, osmesa or egl")->capture_default_str();
+    AddKeysOption(*command, render_.common);
+  }
+
+  void AddRun() {
+    CLI::App* command = Add("run", "a scene without a picture; no GL is loaded", [this] { return RunScene(run_); });
+    AddSceneOptions(*command, run_.common.request);
+    AddOutputOptions(*command, run_.common);
+    auto* until =
+        command->add_option("--until", run_.until, "simulated end [s]; default: the scene's")->check(FinitePositive());
+    command->add_option("--steps", run_.steps, "number of steps")
+        ->check(CLI::Range(0L, 1'000'000'000'000L))
+        ->excludes(until);
+    auto* csv = command->add_option("--csv", run_.csv, "file of energies, momenta, ... against time");
+    command->add_option("--every", run_.every, "simulated time between the rows of --csv [s]")
+        ->check(FinitePositive())
+        ->needs(csv);
+    AddKeysOption(*command, run_.common);
+  }
+
+  void AddScenes() {
+    CLI::App* command = Add("scenes", "the scenes, one a line", [this] {
+      ListScenes(json_);
+      return ExitCode::kDone;
+    });
+    command->add_flag("--json", json_, "an array of {name, title, solver, particles}");
+  }
+
+  void AddInfo() {
+    CLI::App* command = Add("info", "program, GL back-ends, processor; for a scene, its plan of passes", [this] {
+      if (info_scene_->count() == 0) {
+        DescribeProgram(json_);
+      } else {
+        DescribeScene(info_, json_);
+      }
+      return ExitCode::kDone;
+    });
+    AddSceneOptions(*command, info_);
+    info_scene_ = command->get_option("SCENE");
+    command->add_flag("--json", json_, "one object");
+  }
+
+  void AddFigures() {
+    CLI::App* command = Add("figures", "figures like the paper's 1, 2 and 3", [this] {
+      MakeFigures(figures_out_);
+      return ExitCode::kDone;
+    });
+    command->add_option("--out", figures_out_, "folder of figure1.png, figure2.png, figure3.png")->required();
+  }
+
+  ExitCode OpenWindow() {
+    const std::string& scene = window_.scene;
+    const auto scenes = SceneNames();
+    const bool known = scene.ends_with(".toml") || std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app_.get_subcommands({})) commands.push_back(command->get_name());
+    if (!known && NearestName(scene, scenes).empty() && !NearestName(scene, commands).empty()) {
+      throw UsageError("unknown command or scene '{}'.{}", scene, DidYouMean(scene, commands));
+    }
+    return RunWindow(window_);
+  }
+
+  /// --help prints to stdout and is no error; everything else is a message with the nearest option.
+  ExitCode ExplainParseError(const CLI::ParseError& error) const {
+    if (error.get_exit_code() == 0) {
+      app_.exit(error);
+      return ExitCode::kDone;
+    }
+    const CLI::App* command = &app_;
+    for (const CLI::App* chosen : app_.get_subcommands()) command = chosen;
+    std::string message = error.what();
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+      std::vector<std::string> names;
+      for (const CLI::Option* option : command->get_options()) names.push_back("--" + option->get_single_name());
+      const std::vector<std::string> extras = app_.remaining(true);
+      message = "not expected:";
+      for (const std::string& extra : extras) message += " '" + extra + "'";
+      if (!extras.empty()) message += "." + DidYouMean(extras.front().substr(0, extras.front().find('=')), names);
+    }
+    fmt::print(stderr, "sphlab: {}\n`sphlab {}--help` says what is accepted.\n", message,
+               command == &app_ ? "" : command->get_name() + " ");
+    return ExitCode::kUsage;
+  }
+
+  CLI::App app_{"sphlab, the SPH laboratory: fluids made of particles, while they move", "sphlab"};
+  std::function<ExitCode()> chosen_;
+  SceneRequest window_;
+  RenderOptions render_;
+  RunOptions run_;
+  SceneRequest info_;
+  CLI::Option* info_scene_ = nullptr;
+  std::string figures_out_;
+  bool json_ = false;
+};
+
+int Main(int argc, char** argv) {
+  try {
+    return static_cast<int>(CommandLine().Run(argc, argv));
+  } catch (const Error& error) {
+    fmt::print(stderr, "sphlab: {}\n", error.what());
+    return static_cast<int>(error.Code());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "sphlab: out of memory\n");
+    return static_cast<int>(ExitCode::kTrouble);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "sphlab: {}\n", error.what());
+    return static_cast<int>(ExitCode::kTrouble);
+  }
+}
+
+}  // namespace
+}  // namespace sph
+
+int main(int argc, char** argv) { return sph::Main(argc, argv); }

@@ -1,0 +1,39 @@
+// The paper's Parameters[N_PARAMS], by name: everything that a particle system without pressure needs to know.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/vec2.hpp"
+#include "particles/placement.hpp"
+#include "particles/walls.hpp"
+
+namespace sph {
+
+/// How velocities and positions advance (paper, III).
+enum class Integration {
+  kLeapFrog,           ///< eqs. 13, 14; damping taken at t by averaging both half steps, solved exactly: second order
+  kLeapFrogPublished,  ///< eqs. 13, 14 with eq. 15 as printed: the damping lags, first order
+  kSymplecticEuler,    ///< v += a dt, then x += v dt (the tutorial's)
+};
+
+struct Parameters {
+  Block fluid;                     ///< the start
+  Block drop;                      ///< what DropBlock adds; its region is where the block appears if there is room
+  double particle_mass = 0;        ///< [kg/m]
+  std::uint64_t seed = 1;          ///< of the random start
+  std::size_t particle_limit = 0;  ///< DropBlock refuses to go above this number
+
+  double time_step = 0;  ///< [s]
+  Integration integration = Integration::kLeapFrog;
+  Vec2 gravity;               ///< [m/s^2]
+  double central_force = 0;   ///< lambda [1/s^2]: a = -lambda x (paper, eq. 21)
+  double motion_damping = 0;  ///< nu [1/s]: a = -nu v (paper, eq. 12)
+
+  std::vector<Wall> walls;
+  WallParameters wall;
+
+  int threads = 0;  ///< 0: as many as there are processors
+};
+
+}  // namespace sph

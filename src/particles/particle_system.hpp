@@ -1,0 +1,112 @@
+// The paper's base class (IV): particles under gravity and damping, between walls, integrated by leapfrog.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/clock.hpp"
+#include "base/random.hpp"
+#include "particles/canvas.hpp"
+#include "particles/parameters.hpp"
+#include "particles/particles.hpp"
+
+namespace sph {
+
+/// What went wrong when a step left the range in which the method holds.
+struct Instability {
+  long step = 0;
+  double time = 0;       ///< [s]
+  std::uint32_t id = 0;  ///< of the first particle concerned
+  Vec2 position;         ///< its position [m] and velocity [m/s] after the step
+  Vec2 velocity;
+  std::string limit;  ///< the limit that was broken, in words, with its value
+
+  std::string Message() const;
+};
+
+/// What a step did not have to do, and why: one line of the plan that `sphlab info SCENE` prints.
+struct PassPlan {
+  std::string name;
+  bool runs = false;
+  std::string reason;
+};
+
+class ParticleSystem {
+ public:
+  explicit ParticleSystem(const Parameters& parameters);
+  virtual ~ParticleSystem() = default;
+  ParticleSystem(const ParticleSystem&) = delete;
+  ParticleSystem& operator=(const ParticleSystem&) = delete;
+
+  /// Back to the start: walls and parameters as constructed, InitialPositions(), and half an Euler step backwards for
+  /// the velocities. To be called once before the first Step(), because a constructor cannot reach the virtual
+  /// functions.
+  void Reset();
+
+  /// One time step. Once a step has broken down, Trouble() says how, and Step() does nothing more until Reset().
+  void Step();
+
+  /// Density, pressure and accelerations at the current time, for who wants to look at them after the last step; Step()
+  /// itself computes them at its beginning.
+  void ComputeFields() { ComputeAccelerations(); }
+
+  /// Walls and particles, in the colouring that the canvas wants.
+  void Draw(Canvas& canvas) const;
+
+  /// Adds parameters.drop on free sites at its region or above it.
+  /// @return an empty string, or why nothing was added.
+  std::string DropBlock();
+
+  const std::optional<Instability>& Trouble() const { return trouble_; }
+  double Time() const { return time_; }
+  long Steps() const { return steps_; }
+  const Particles& State() const { return particles_; }
+  /// Deepest penetration of a wall by a particle so far [m].
+  double DeepestPenetration() const { return deepest_; }
+  const PhaseTimes& Phases() const { return phases_; }
+  /// Side of the square that a particle of the initial block fills [m].
+  double InitialSpacing() const { return Spacing(initial_parameters_.fluid); }
+  /// What the view shows where no wall bounds it [m].
+  Box InitialBounds() const { return initial_parameters_.fluid.region.Bounds(); }
+
+  /// The passes of a step in their order, and those that this scene does not need.
+  virtual std::vector<PassPlan> Plan() const;
+  /// Sum over the particles of mass times specific internal energy [J/m]; 0 for particles without pressure.
+  virtual double InternalEnergy() const { return 0; }
+  /// Density [kg/m^3], pressure [Pa] of each particle, in State()'s order; empty where the system has none.
+  virtual std::span<const double> Density() const { return {}; }
+  virtual std::span<const double> Pressure() const { return {}; }
+
+  /// May be changed between steps.
+  Parameters parameters;
+
+ protected:
+  /// The penalty force and damping of every wall that particle i is inside of (paper, IV-D).
+  void Boundaries(std::size_t i);
+  void AddGravity();
+  void AddMotionDamping();
+  virtual void ComputeAccelerations();
+  virtual void InitialPositions();
+  /// A particle must not move further than this in a step [m].
+  virtual double LongestMove() const;
+
+  int ThreadCount() const;
+
+  Particles particles_;
+  PhaseTimes phases_;
+
+ private:
+  void AddWallForces();
+  void Integrate();
+  void ReflectFromWalls();
+  void StepBackwards(std::uint32_t first_id);
+  void ReportTrouble();
+
+  Parameters initial_parameters_;
+  std::optional<Instability> trouble_;
+  double time_ = 0;
+  long steps_ = 0;
+  double deepest_ = 0;
+};
+
+}  // namespace sph

@@ -1,0 +1,38 @@
+#include "particles/particles.hpp"
+
+#include "base/check.hpp"
+
+namespace sph {
+namespace {
+
+template <typename T>
+void Gather(std::vector<T>& values, std::span<const std::uint32_t> order, std::vector<T>& scratch) {
+  scratch.resize(values.size());
+  for (std::size_t k = 0; k < order.size(); ++k) scratch[k] = values[order[k]];
+  values.swap(scratch);
+}
+
+}  // namespace
+
+void Particles::Add(Vec2 position, Vec2 velocity, double particle_mass) {
+  id.push_back(static_cast<std::uint32_t>(Size()));
+  x.push_back(position.x);
+  y.push_back(position.y);
+  for (auto* component : {&vx, &vx_prev}) component->push_back(velocity.x);
+  for (auto* component : {&vy, &vy_prev}) component->push_back(velocity.y);
+  for (auto* component : {&ax, &ay}) component->push_back(0.0);
+  mass.push_back(particle_mass);
+}
+
+void Particles::Clear() {
+  for (auto* component : {&x, &y, &vx, &vy, &vx_prev, &vy_prev, &ax, &ay, &mass}) component->clear();
+  id.clear();
+}
+
+void Particles::Reorder(std::span<const std::uint32_t> order) {
+  SPH_CHECK(order.size() == Size(), "{} places for {} particles", order.size(), Size());
+  for (auto* component : {&x, &y, &vx, &vy, &vx_prev, &vy_prev, &ax, &ay, &mass}) Gather(*component, order, scratch_);
+  Gather(id, order, id_scratch_);
+}
+
+}  // namespace sph

@@ -1,0 +1,94 @@
+#include "particles/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/check.hpp"
+
+namespace sph {
+
+double Region::Area() const { return radius > 0 ? std::numbers::pi * radius * radius : box.Width() * box.Height(); }
+
+Box Region::Bounds() const {
+  if (radius > 0) return {centre.x - radius, centre.y - radius, centre.x + radius, centre.y + radius};
+  return box;
+}
+
+bool Region::Contains(Vec2 point) const {
+  if (radius > 0) return Dot(point - centre, point - centre) <= radius * radius;
+  return point.x >= box.x0 && point.x <= box.x1 && point.y >= box.y0 && point.y <= box.y1;
+}
+
+double Spacing(const Block& block) {
+  if (block.spacing > 0) return block.spacing;
+  return block.particles > 0 ? std::sqrt(block.region.Area() / static_cast<double>(block.particles)) : 0.0;
+}
+
+namespace {
+
+std::vector<Vec2> PlaceAtRandom(const Block& block, Random& random) {
+  const Box bounds = block.region.Bounds();
+  std::vector<Vec2> places;
+  places.reserve(block.particles);
+  while (places.size() < block.particles) {
+    const double x = random.Uniform(bounds.x0, bounds.x1);
+    const double y = random.Uniform(bounds.y0, bounds.y1);
+    if (block.region.Contains({x, y})) places.push_back({x, y});
+  }
+  return places;
+}
+
+/// Calls visit(site) for the sites of a square lattice, half a spacing inside `box`, rows from the bottom up, until it
+/// returns false.
+template <typename Visit>
+void VisitLattice(const Box& box, double spacing, Visit visit) {
+  constexpr double kRoundOff = 1e-9;
+  const auto columns = static_cast<long>(std::floor(box.Width() / spacing + kRoundOff));
+  if (columns < 1) return;
+  for (long row = 0; box.y0 + static_cast<double>(row + 1) * spacing <= box.y1 + kRoundOff * spacing; ++row) {
+    for (long column = 0; column < columns; ++column) {
+      const Vec2 site{box.x0 + (static_cast<double>(column) + 0.5) * spacing,
+                      box.y0 + (static_cast<double>(row) + 0.5) * spacing};
+      if (!visit(site)) return;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Vec2> Place(const Block& block, Random& random) {
+  SPH_CHECK(block.region.Area() > 0, "area = {}", block.region.Area());
+  if (block.arrange == Arrangement::kRandom) return PlaceAtRandom(block, random);
+  std::vector<Vec2> places;
+  Box column = block.region.Bounds();
+  const bool a_box = block.region.radius <= 0;
+  if (a_box) column.y1 = std::numeric_limits<double>::max();
+  VisitLattice(column, Spacing(block), [&](Vec2 site) {
+    if (!a_box && !block.region.Contains(site)) return true;
+    if (block.arrange == Arrangement::kJittered) site.x += block.jitter * random.Uniform();
+    places.push_back(site);
+    return places.size() < block.particles;
+  });
+  return places;
+}
+
+std::vector<Vec2> PlaceAround(const Block& block, const Box& room, const std::function<bool(Vec2)>& occupied) {
+  const Box start = block.region.Bounds();
+  const int most_columns = static_cast<int>(room.Width() / start.Width()) + 1;
+  for (int k = 0; k <= 2 * most_columns; ++k) {
+    const double shift = start.Width() * ((k + 1) / 2) * (k % 2 == 1 ? 1 : -1);
+    const Box column{start.x0 + shift, start.y0, start.x1 + shift, room.y1};
+    if (k > 0 && (column.x0 < room.x0 || column.x1 > room.x1)) continue;
+    std::vector<Vec2> places;
+    VisitLattice(column, Spacing(block), [&](Vec2 site) {
+      if (!occupied(site)) places.push_back(site);
+      return places.size() < block.particles;
+    });
+    if (places.size() == block.particles) return places;
+  }
+  return {};
+}
+
+}  // namespace sph

@@ -1,0 +1,53 @@
+// Where the particles of a block of fluid start: random, on a lattice, on a jittered lattice.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "base/random.hpp"
+#include "base/vec2.hpp"
+
+namespace sph {
+
+/// A box, or a disk when `radius` > 0.
+struct Region {
+  Box box;
+  Vec2 centre;
+  double radius = 0;
+
+  double Area() const;  ///< [m^2]
+  Box Bounds() const;
+  bool Contains(Vec2 point) const;
+};
+
+enum class Arrangement {
+  kRandom,    ///< independent, uniform over the region (the paper's starts)
+  kLattice,   ///< square lattice, rows from the bottom up
+  kJittered,  ///< the lattice, each particle moved to the right by up to `jitter` (the tutorial's dam)
+};
+
+/// A block of fluid to be placed.
+struct Block {
+  std::size_t particles = 0;
+  Region region;
+  Arrangement arrange = Arrangement::kRandom;
+  double spacing = 0;  ///< of the lattice [m]; 0: the square root of region area over particles
+  double jitter = 0;   ///< [m]
+  Vec2 velocity;       ///< of every particle [m/s]
+};
+
+/// Side of the square that one particle of the block fills [m].
+double Spacing(const Block& block);
+
+/// The block's positions [m], block.particles of them. A lattice fills a box row by row from the bottom, and goes on
+/// above it when its rows do not hold them all; in a disk, it ends where the disk does, so that the result may be
+/// shorter.
+std::vector<Vec2> Place(const Block& block, Random& random);
+
+/// Positions for a block dropped into a scene that may have fluid in the way: lattice rows from the bottom of the
+/// block's region up to the top of `room`, leaving out sites for which `occupied` is true; if there is no room for the
+/// whole block, the same beside it, to the right and to the left in turn, as far as `room` goes. Empty if there is no
+/// room at all.
+std::vector<Vec2> PlaceAround(const Block& block, const Box& room, const std::function<bool(Vec2)>& occupied);
+
+}  // namespace sph

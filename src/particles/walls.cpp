@@ -1,0 +1,75 @@
+#include "particles/walls.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace sph {
+
+Vec2 Wall::Normal() const {
+  switch (fluid) {
+    case FluidSide::kLeft:
+      return {-1, 0};
+    case FluidSide::kRight:
+      return {1, 0};
+    case FluidSide::kBelow:
+      return {0, -1};
+    case FluidSide::kAbove:
+      return {0, 1};
+  }
+  return {0, 0};
+}
+
+double Wall::Depth(Vec2 point) const {
+  const double coordinate = Vertical() ? point.x : point.y;
+  const bool fluid_at_larger = fluid == FluidSide::kRight || fluid == FluidSide::kAbove;
+  return fluid_at_larger ? at - coordinate : coordinate - at;
+}
+
+void MoveWalls(std::span<Wall> walls, double dt) {
+  for (Wall& wall : walls) {
+    if (wall.velocity == 0) continue;
+    const double wanted = wall.at + wall.velocity * dt;
+    wall.at = std::clamp(wanted, wall.lowest, wall.highest);
+    if (wall.at != wanted) wall.velocity = 0;
+  }
+}
+
+Box LegalRegion(std::span<const Wall> walls) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Box legal{-kFar, -kFar, kFar, kFar};
+  for (const Wall& wall : walls) {
+    switch (wall.fluid) {
+      case FluidSide::kLeft:
+        legal.x1 = std::min(legal.x1, wall.at);
+        break;
+      case FluidSide::kRight:
+        legal.x0 = std::max(legal.x0, wall.at);
+        break;
+      case FluidSide::kBelow:
+        legal.y1 = std::min(legal.y1, wall.at);
+        break;
+      case FluidSide::kAbove:
+        legal.y0 = std::max(legal.y0, wall.at);
+        break;
+    }
+  }
+  return legal;
+}
+
+Wall* FindWall(std::span<Wall> walls, std::string_view name) {
+  const auto found = std::find_if(walls.begin(), walls.end(), [&](const Wall& wall) { return wall.name == name; });
+  return found == walls.end() ? nullptr : &*found;
+}
+
+std::optional<Segment> VisibleSegment(const Wall& wall, std::span<const Wall> walls, const Box& view) {
+  const Box legal = LegalRegion(walls);
+  const double ends[2] = {wall.Vertical() ? std::max(legal.y0, view.y0) : std::max(legal.x0, view.x0),
+                          wall.Vertical() ? std::min(legal.y1, view.y1) : std::min(legal.x1, view.x1)};
+  const bool covered =
+      wall.Vertical() ? (wall.at < legal.x0 || wall.at > legal.x1) : (wall.at < legal.y0 || wall.at > legal.y1);
+  if (covered || ends[0] >= ends[1]) return std::nullopt;
+  if (wall.Vertical()) return Segment{{wall.at, ends[0]}, {wall.at, ends[1]}};
+  return Segment{{ends[0], wall.at}, {ends[1], wall.at}};
+}
+
+}  // namespace sph

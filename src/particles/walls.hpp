@@ -1,0 +1,63 @@
+// Rigid plane walls (paper, IV-D): where they are, how deep a particle is inside one, how they move.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/vec2.hpp"
+
+namespace sph {
+
+/// On which side of a wall the fluid is.
+enum class FluidSide { kLeft, kRight, kBelow, kAbove };
+
+/// The half-plane behind a vertical or horizontal line. It moves with `velocity` until it reaches an end of its range.
+struct Wall {
+  std::string name;
+  FluidSide fluid = FluidSide::kAbove;
+  double at = 0;        ///< x of a vertical wall, y of a horizontal one [m]
+  double velocity = 0;  ///< d(at)/dt [m/s]
+  double lowest = 0;    ///< range of `at` [m]; a wall that cannot be moved has lowest = highest = at
+  double highest = 0;
+
+  bool Vertical() const { return fluid == FluidSide::kLeft || fluid == FluidSide::kRight; }
+  /// Unit vector from the wall into the fluid.
+  Vec2 Normal() const;
+  /// How far a point is inside the wall [m]; negative in the fluid.
+  double Depth(Vec2 point) const;
+};
+
+/// What happens to a particle inside a wall.
+enum class WallKind {
+  kPenalty,  ///< pushed back in proportion to its depth, and damped (paper, IV-D)
+  kReflect,  ///< put back on the wall, the normal velocity multiplied by -restitution (tutorial)
+};
+
+struct WallParameters {
+  WallKind kind = WallKind::kPenalty;
+  double stiffness = 0;    ///< K [1/s^2]: a = K depth, along the normal
+  double damping = 0;      ///< [1/s]: a -= damping (v - v_wall)
+  double restitution = 0;  ///< speed after a reflection over the speed before
+};
+
+/// Moves every wall by its velocity times dt; one that reaches an end of its range stops there.
+void MoveWalls(std::span<Wall> walls, double dt);
+
+/// The part of the plane that no wall covers; infinite where there is no wall.
+Box LegalRegion(std::span<const Wall> walls);
+
+/// The wall with that name, or nullptr.
+Wall* FindWall(std::span<Wall> walls, std::string_view name);
+
+/// The piece of a wall that bounds the legal region, to be drawn: its ends [m], cut off at `view` where no wall ends
+/// it. Empty when other walls cover it.
+struct Segment {
+  Vec2 a;
+  Vec2 b;
+};
+std::optional<Segment> VisibleSegment(const Wall& wall, std::span<const Wall> walls, const Box& view);
+
+}  // namespace sph

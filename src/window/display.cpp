@@ -1,0 +1,72 @@
+#include "window/display.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+
+#include "base/error.hpp"
+
+namespace sph {
+namespace {
+
+const std::array<std::string, 1> kXlib = {"libX11.so.6"};
+
+// The part of Xlib's interface that is used here, stated by us.
+using OpenDisplay = void* (*)(const char* name);
+using CloseDisplay = int (*)(void* connection);
+using GetDefault = char* (*)(void* connection, const char* program, const char* option);
+using GetInputFocus = int (*)(void* connection, unsigned long* window, int* where_it_goes_back_to);
+using ErrorHandler = int (*)(void* connection, void* error);
+using SetErrorHandler = ErrorHandler (*)(ErrorHandler);
+
+int Ignore(void*, void*) { return 0; }
+
+/// "" if it is not set.
+std::string DisplayName() {
+  const char* name = std::getenv("DISPLAY");
+  return name == nullptr ? "" : name;
+}
+
+Library LoadXlib(const std::string& advice) {
+  if (DisplayName().empty()) throw TroubleError("no display to open a window on: DISPLAY is not set.\n{}", advice);
+  return Library("X11, which brings the display", kXlib, "libx11-6");
+}
+
+}  // namespace
+
+Display::Display(const std::string& advice) : xlib_(LoadXlib(advice)) {
+  connection_ = xlib_.Find<OpenDisplay>("XOpenDisplay")(nullptr);
+  if (connection_ == nullptr) {
+    throw TroubleError("no display to open a window on: the X server of DISPLAY={} does not answer, or refuses.\n{}",
+                       DisplayName(), advice);
+  }
+}
+
+Display::~Display() { xlib_.Find<CloseDisplay>("XCloseDisplay")(connection_); }
+
+std::optional<double> Display::DotsPerInch() const {
+  const char* text = xlib_.Find<GetDefault>("XGetDefault")(connection_, "Xft", "dpi");
+  double value = 0;
+  if (text == nullptr) return std::nullopt;
+  const auto [end, error] = std::from_chars(text, text + std::strlen(text), value);
+  if (error != std::errc() || *end != '\0' || !(value > 0)) return std::nullopt;
+  return value;
+}
+
+unsigned long Display::Focus() const {
+  unsigned long window = 0;
+  int where_it_goes_back_to = 0;
+  xlib_.Find<GetInputFocus>("XGetInputFocus")(connection_, &window, &where_it_goes_back_to);
+  return window;
+}
+
+Display::Forgiving::Forgiving(const Display& display)
+    : display_(display),
+      handler_before_(reinterpret_cast<void*>(display.xlib_.Find<SetErrorHandler>("XSetErrorHandler")(&Ignore))) {}
+
+Display::Forgiving::~Forgiving() {
+  display_.xlib_.Find<SetErrorHandler>("XSetErrorHandler")(reinterpret_cast<ErrorHandler>(handler_before_));
+}
+
+}  // namespace sph

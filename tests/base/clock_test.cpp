@@ -1,0 +1,47 @@
+// Times of phases: sums by name, whoever adds them.
+#include "base/clock.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sph {
+namespace {
+
+TEST(PhaseTimes, SumsWhatIsAddedUnderTheSameName) {
+  PhaseTimes times;
+  times.Add("grid", 0.25);
+  times.Add("density", 1.0);
+  times.Add("grid", 0.5);
+  ASSERT_EQ(times.Seconds().size(), 2u);
+  EXPECT_EQ(times.Seconds().at("grid"), 0.75);
+  times.Clear();
+  EXPECT_TRUE(times.Seconds().empty());
+}
+
+TEST(PhaseTimer, AddsItsOwnLifetimeAndNoMore) {
+  PhaseTimes times;
+  const Stopwatch outside;
+  double inside_seconds = 0;
+  {
+    const PhaseTimer timer(times, "wait");
+    const Stopwatch inside;
+    while (inside.Seconds() < 1e-3) {
+    }
+    inside_seconds = inside.Seconds();
+  }
+  EXPECT_GE(times.Seconds().at("wait"), inside_seconds);
+  EXPECT_LE(times.Seconds().at("wait"), outside.Seconds());
+}
+
+TEST(Stopwatch, StartsAnewWithRestart) {
+  Stopwatch first;
+  while (first.Seconds() < 1e-3) {
+  }
+  const Stopwatch second;
+  const double before = first.Seconds();
+  first.Restart();
+  EXPECT_LE(first.Seconds(), second.Seconds());  // restarted after the second one began
+  EXPECT_GE(before, 1e-3);
+}
+
+}  // namespace
+}  // namespace sph

@@ -1,0 +1,54 @@
+// The paper's system with particles that a test chooses one by one, and can turn round.
+#pragma once
+
+#include "sph/clouds.hpp"
+#include "sph/particle_system_sph.hpp"
+
+namespace sph {
+
+class GivenSystem : public ParticleSystemSPH {
+ public:
+  GivenSystem(const Parameters& base, const ParametersSPH& sph, Cloud start)
+      : ParticleSystemSPH(base, sph), start_(std::move(start)) {
+    Reset();
+  }
+
+  /// From here on the undamped leapfrog goes back the way it came: the velocity half a step "before" is minus the one that would
+  /// have come half a step after.
+  void TurnRound() {
+    ComputeAccelerations();
+    Particles& p = particles_;
+    for (std::size_t i = 0; i < p.Size(); ++i) {
+      p.vx_prev[i] = -(p.vx_prev[i] + parameters.time_step * p.ax[i]);
+      p.vy_prev[i] = -(p.vy_prev[i] + parameters.time_step * p.ay[i]);
+    }
+  }
+
+ protected:
+  void InitialPositions() override {
+    for (std::size_t i = 0; i < start_.Size(); ++i) {
+      particles_.Add({start_.x[i], start_.y[i]}, {start_.vx[i], start_.vy[i]}, start_.mass[i]);
+    }
+  }
+
+ private:
+  Cloud start_;
+};
+
+/// The particles of a system at its current time, as a cloud.
+inline Cloud CloudOf(const ParticleSystem& system) {
+  const Particles& p = system.State();
+  return {"", p.x, p.y, p.vx, p.vy, p.mass};
+}
+
+/// Parameters of a system that only has to hold particles: no forces, no walls, a step of 1 ms, leapfrog.
+inline Parameters NoForces() {
+  Parameters base;
+  base.particle_mass = 1;
+  base.time_step = 1e-3;
+  base.fluid.particles = 1;
+  base.fluid.region.box = {0, 0, 1, 1};
+  return base;
+}
+
+}  // namespace sph

@@ -1,0 +1,170 @@
+// The kernels' constants, gradients and Laplacians, found again by quadrature and differences.
+#include "sph/kernels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "sph/quadrature.hpp"
+
+namespace sph {
+namespace {
+
+using std::numbers::pi;
+constexpr double kH = 0.34;           // [m], a value at which no power of h is near 1
+constexpr double kQuadrature = 1e-11;  // the rule is exact for the pieces' polynomials; what is cut off near r = 0 is below 1e-12
+
+template <typename Kernel>
+double Integral(const Kernel& kernel, int dimension) {
+  return IntegralOverAll([&](double r) { return kernel.Value(r); }, dimension, Kernel::kSupport * kH);
+}
+
+/// Distances over the support that are not on a knot.
+std::vector<double> Distances(double support) {
+  std::vector<double> distances;
+  for (int k = 1; k < 100; ++k) distances.push_back(support * (k - 0.37) / 100);
+  return distances;
+}
+
+/// W'(r) by a central difference; its error is delta^2 W'''/6 and round-off eps W/delta: together below 1e-9 of W(0)/h here.
+template <typename Kernel>
+double Slope(const Kernel& kernel, double r) {
+  const double delta = 1e-5 * kH;
+  return (kernel.Value(r + delta) - kernel.Value(r - delta)) / (2 * delta);
+}
+
+TEST(CubicSpline, IntegratesToOneOverTheLine) { EXPECT_NEAR(Integral(CubicSpline<1>(kH), 1), 1, kQuadrature); }
+TEST(CubicSpline, IntegratesToOneOverThePlane) { EXPECT_NEAR(Integral(CubicSpline<2>(kH), 2), 1, kQuadrature); }
+TEST(CubicSpline, IntegratesToOneOverSpace) { EXPECT_NEAR(Integral(CubicSpline<3>(kH), 3), 1, kQuadrature); }
+TEST(Poly6, IntegratesToOneOverThePlane) { EXPECT_NEAR(Integral(Poly6(kH), 2), 1, kQuadrature); }
+TEST(Spiky, IntegratesToOneOverThePlane) { EXPECT_NEAR(Integral(Spiky(kH), 2), 1, kQuadrature); }
+TEST(ViscosityKernel, IntegratesToOneOverThePlane) { EXPECT_NEAR(Integral(ViscosityKernel(kH), 2), 1, kQuadrature); }
+
+TEST(CubicSpline, WithTheConstantThatThePaperPrintsIntegratesToThree) {
+  const double printed = 15 / (14 * pi * kH * kH);
+  const double right = CubicSpline<2>(kH).Value(0) / 4;  // W(0) = C (2^3 - 4)
+  EXPECT_NEAR(printed / right * Integral(CubicSpline<2>(kH), 2), 3, 3 * kQuadrature);
+}
+
+TEST(CubicSpline, OnASquareGridOfPointsSumsToOne) {
+  // The plane's integral without polar coordinates: sums over a grid of pitch p miss a smooth function by about p^5 here.
+  const CubicSpline<2> kernel(kH);
+  const double pitch = kH / 50;
+  double sum = 0;
+  for (int i = -101; i <= 101; ++i) {
+    for (int j = -101; j <= 101; ++j) sum += pitch * pitch * kernel.Value(std::hypot(i * pitch, j * pitch));
+  }
+  EXPECT_NEAR(sum, 1, 1e-7);
+}
+
+template <typename Kernel>
+class CubicSplineInEveryDimension : public ::testing::Test {};
+using Splines = ::testing::Types<CubicSpline<1>, CubicSpline<2>, CubicSpline<3>>;
+TYPED_TEST_SUITE(CubicSplineInEveryDimension, Splines);
+
+TYPED_TEST(CubicSplineInEveryDimension, GradientIsTheValuesDerivativeOverR) {
+  const TypeParam kernel(kH);
+  const double scale = kernel.Value(0) / kH;
+  for (const double r : Distances(2 * kH)) EXPECT_NEAR(kernel.Gradient(r) * r, Slope(kernel, r), 1e-9 * scale) << r;
+}
+
+TYPED_TEST(CubicSplineInEveryDimension, GradientIsNeverPositiveAndFiniteInTheMiddle) {
+  const TypeParam kernel(kH);
+  for (int k = 0; k <= 300; ++k) EXPECT_LE(kernel.Gradient(0.01 * k * kH), 0) << k;
+  EXPECT_DOUBLE_EQ(kernel.Gradient(0), -12 * (kernel.Value(0) / 4) / (kH * kH));
+  EXPECT_NEAR(kernel.Gradient(1e-9 * kH), kernel.Gradient(0), 1e-8 * std::abs(kernel.Gradient(0)));  // g changes by 9 q of 12
+}
+
+TYPED_TEST(CubicSplineInEveryDimension, EndsAtTwiceH) {
+  const TypeParam kernel(kH);
+  const double next = std::nextafter(2 * kH, 10);
+  for (const double r : {2 * kH, next, 3 * kH, 1e300}) {
+    EXPECT_EQ(kernel.Value(r), 0) << r;
+    EXPECT_EQ(kernel.Gradient(r), 0) << r;
+  }
+  EXPECT_GT(kernel.Value(1.999 * kH), 0);
+}
+
+TYPED_TEST(CubicSplineInEveryDimension, ValueAndGradientAreContinuousAtTheKnots) {
+  const TypeParam kernel(kH);
+  const double tiny = 1e-9 * kH;  // both change by less than 12 tiny/h of their greatest value
+  for (const double knot : {kH, 2 * kH}) {
+    EXPECT_NEAR(kernel.Value(knot - tiny), kernel.Value(knot + tiny), 24e-9 * kernel.Value(0));
+    EXPECT_NEAR(kernel.Gradient(knot - tiny), kernel.Gradient(knot + tiny), 24e-9 * std::abs(kernel.Gradient(0)));
+  }
+}
+
+TEST(Poly6, EndsAtHAndFallsAllTheWay) {
+  const Poly6 kernel(kH);
+  EXPECT_EQ(kernel.Value(kH), 0);
+  EXPECT_EQ(kernel.Value(1e300), 0);  // r^2 overflows
+  for (int k = 0; k < 100; ++k) EXPECT_GT(kernel.Value(0.01 * k * kH), kernel.Value(0.01 * (k + 1) * kH)) << k;
+}
+
+TEST(Spiky, SlopeIsTheValuesDerivative) {
+  const Spiky kernel(kH);
+  const double scale = kernel.Value(0) / kH;
+  for (const double r : Distances(kH)) EXPECT_NEAR(kernel.Slope(r), Slope(kernel, r), 1e-9 * scale) << r;
+}
+
+TEST(Spiky, RepelsMostWhereParticlesMeetAndEndsAtH) {
+  const Spiky kernel(kH);
+  for (int k = 0; k < 100; ++k) EXPECT_LT(kernel.Slope(0.01 * k * kH), kernel.Slope(0.01 * (k + 1) * kH)) << k;
+  EXPECT_EQ(kernel.Slope(kH), 0);
+  EXPECT_EQ(kernel.Value(2 * kH), 0);
+}
+
+/// For a W that is 0 at `radius`, integration by parts turns the integral of W over the plane into -pi times that of r^2 W'.
+template <typename F>
+double IntegralOfTheKernelWithSlope(F slope, double radius) {
+  return IntegralOverAll([&](double r) { return -0.5 * r * slope(r); }, 2, radius);
+}
+
+TEST(Spiky, TheTutorialsGradientBelongsToNoNormalisedKernel) {
+  for (const double h : {0.16, 1.0, 16.0}) {
+    const Spiky kernel(h);
+    EXPECT_NEAR(IntegralOfTheKernelWithSlope([&](double r) { return kernel.Slope(r); }, h), 1, kQuadrature);
+    const auto published = [h](double r) { return -10 / (pi * std::pow(h, 5)) * std::pow(h - r, 3); };
+    // h/6: not 1, and not even a number without a unit; 2.7 in the tutorial's pixels, 0.027 in the same scene in metres.
+    EXPECT_NEAR(IntegralOfTheKernelWithSlope(published, h), h / 6, kQuadrature * h);
+  }
+}
+
+TEST(ViscosityKernel, LaplacianInThePlaneIsThatOfItsValue) {
+  // By the five-point formula around (r cos a, r sin a); its error is delta^2/12 times fourth derivatives, which the logarithm
+  // makes as large as 6 c h^3/(6 r^4): with delta = r/1000 below 1e-6 of the Laplacian at r = h/20, and less further out.
+  const ViscosityKernel kernel(kH);
+  for (const double r : Distances(kH)) {
+    if (r < kH / 20 || r > 0.99 * kH) continue;
+    const double delta = 1e-3 * r;
+    const double x = r * std::cos(0.7), y = r * std::sin(0.7);
+    const auto at = [&](double dx, double dy) { return kernel.Value(std::hypot(x + dx, y + dy)); };
+    const double laplacian = (at(delta, 0) + at(-delta, 0) + at(0, delta) + at(0, -delta) - 4 * at(0, 0)) / (delta * delta);
+    EXPECT_NEAR(laplacian, kernel.Laplacian(r), 2e-3 * kernel.Laplacian(0)) << r / kH;
+  }
+}
+
+TEST(ViscosityKernel, MeetsZeroWithValueAndSlopeAtH) {
+  const ViscosityKernel kernel(kH);
+  const double scale = kernel.Value(kH / 2);
+  EXPECT_NEAR(kernel.Value(kH * (1 - 1e-6)), 0, 1e-11 * scale);  // a double root: (1e-6)^2 times a constant, and round-off
+  EXPECT_NEAR(Slope(kernel, kH * (1 - 1e-4)), 0, 1e-3 * scale / kH);
+  EXPECT_EQ(kernel.Laplacian(kH), 0);
+  EXPECT_EQ(kernel.Value(2 * kH), 0);
+}
+
+TEST(ViscosityKernel, LaplacianIsNeverNegativeSoThatItNeverPushesVelocitiesApart) {
+  const ViscosityKernel kernel(kH);
+  for (int k = 0; k <= 200; ++k) EXPECT_GE(kernel.Laplacian(0.01 * k * kH), 0) << k;
+}
+
+TEST(Kernels, RefuseASmoothingLengthThatIsNotPositive) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_DEATH(CubicSpline<2>(0), "h = 0");
+  EXPECT_DEATH(Poly6(-1), "h = -1");
+  EXPECT_DEATH(Spiky(std::numeric_limits<double>::quiet_NaN()), "h = nan");
+  EXPECT_DEATH(ViscosityKernel(0), "h = 0");
+}
+
+}  // namespace
+}  // namespace sph
