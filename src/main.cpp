@@ -1,10 +1,14 @@
 // The command line.
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <iostream>
 
 #include "base/error.hpp"
 #include "base/nearest_name.hpp"
 #include "commands/command_line.hpp"
 #include "commands/figures.hpp"
+#include "commands/interrupt.hpp"
 #include "commands/listing.hpp"
 #include "commands/render.hpp"
 #include "commands/run.hpp"
@@ -20,12 +24,18 @@ class CommandLine {
   CommandLine() {
     app_.set_help_flag("--help", "what there is");
     app_.get_formatter()->column_width(34);
-    AddWindow();
+    const std::string exit_codes =
+        "Exit codes: 0 done, 1 run-time or file trouble, 2 wrong command line or scene, 3 unstable simulation,\n"
+        "130 interrupted.";
+    app_.footer(exit_codes);  // the commands take it over
+    AddSceneOptions(app_, window_);
     AddRender();
     AddRun();
     AddScenes();
     AddInfo();
     AddFigures();
+    app_.footer("Without a command: the scene in a window. `sphlab COMMAND --help` says what a command takes.\n" +
+                exit_codes);
   }
 
   ExitCode Run(int argc, char** argv) {
@@ -34,7 +44,9 @@ class CommandLine {
     } catch (const CLI::ParseError& error) {
       return ExplainParseError(error);
     }
-    return chosen_ ? chosen_() : OpenWindow();
+    if (!chosen_) return OpenWindow();
+    CheckOrder();
+    return chosen_();
   }
 
  private:
@@ -46,21 +58,14 @@ class CommandLine {
     return command;
   }
 
-  void AddWindow() {
-    AddSceneOptions(app_, window_);
-    app_.footer(
-        "Without a command: the scene in a window. Exit codes: 0 done, 1 run-time or file trouble, 2 wrong command "
-        "line "
-        "or scene, 3 unstable simulation, 130 interrupted.");
-  }
-
   void AddRender() {
     CLI::App* command =
         Add("render", "PNG frames of a scene, no display needed", [this] { return RenderScene(render_); });
     AddSceneOptions(*command, render_.common.request);
     AddOutputOptions(*command, render_.common);
     command->add_option("--out", render_.out, "folder of the frames")->required();
-    command->add_option("--frames", render_.frames, "how many")->check(CLI::Range(1L, 100'000'000L));
+    command->add_option("--frames", render_.frames, "how many at most; default: up to --until")
+        ->check(CLI::Range(1L, 100'000'000L));
     command->add_option("--fps", render_.fps, "frames per simulated second")
         ->check(FinitePositive())
         ->capture_default_str();
@@ -116,16 +121,32 @@ class CommandLine {
     command->add_option("--out", figures_out_, "folder of figure1.png, figure2.png, figure3.png")->required();
   }
 
-  ExitCode OpenWindow() {
+  /// What stands before a command is read as the window's, and would do nothing.
+  void CheckOrder() const {
+    for (const CLI::Option* option : app_.get_options()) {
+      if (option->count() == 0) continue;
+      throw UsageError("{} stands before the command '{}': it goes after it", option->get_name(),
+                       app_.get_subcommands().front()->get_name());
+    }
+  }
+
+  /// " Did you mean 'render'?" for a scene that is none, but nearly a command.
+  std::string CommandMeant() const {
     const std::string& scene = window_.scene;
     const auto scenes = SceneNames();
     const bool known = scene.ends_with(".toml") || std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
+    if (known || !NearestName(scene, scenes).empty()) return {};
     std::vector<std::string> commands;
     for (const CLI::App* command : app_.get_subcommands({})) commands.push_back(command->get_name());
-    if (!known && NearestName(scene, scenes).empty() && !NearestName(scene, commands).empty()) {
-      throw UsageError("unknown command or scene '{}'.{}", scene, DidYouMean(scene, commands));
+    return DidYouMean(scene, commands);
+  }
+
+  ExitCode OpenWindow() const {
+    if (const std::string meant = CommandMeant(); !meant.empty()) {
+      throw UsageError("unknown command or scene '{}'.{}", window_.scene, meant);
     }
-    return RunWindow(window_);
+    CatchInterrupts();
+    return RunWindow(window_, &Interrupted);
   }
 
   /// --help prints to stdout and is no error; everything else is a message with the nearest option.
@@ -138,6 +159,9 @@ class CommandLine {
     for (const CLI::App* chosen : app_.get_subcommands()) command = chosen;
     std::string message = error.what();
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+      if (const std::string meant = CommandMeant(); command == &app_ && !meant.empty()) {
+        throw UsageError("unknown command or scene '{}'.{}", window_.scene, meant);
+      }
       std::vector<std::string> names;
       for (const CLI::Option* option : command->get_options()) names.push_back("--" + option->get_single_name());
       const std::vector<std::string> extras = app_.remaining(true);
@@ -161,9 +185,18 @@ class CommandLine {
   bool json_ = false;
 };
 
+/// Results that a full disk has swallowed are no success.
+void CheckThatResultsAreOut() {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout) return;
+  throw TroubleError("cannot write the results to standard output: {}", std::strerror(errno));
+}
+
 int Main(int argc, char** argv) {
   try {
-    return static_cast<int>(CommandLine().Run(argc, argv));
+    const ExitCode code = CommandLine().Run(argc, argv);
+    CheckThatResultsAreOut();
+    return static_cast<int>(code);
   } catch (const Error& error) {
     fmt::print(stderr, "sphlab: {}\n", error.what());
     return static_cast<int>(error.Code());

@@ -1,5 +1,6 @@
 #include "commands/command_line.hpp"
 
+#include <charconv>
 #include <cmath>
 
 #include "base/nearest_name.hpp"
@@ -23,6 +24,18 @@ CLI::Validator SolverName() {
           "NAME"};
 }
 
+/// Digits only: CLI11 would take -1 for the largest number.
+CLI::Validator WholeNumber() {
+  return {[](std::string& text) {
+            std::uint64_t value = 0;
+            const char* end = text.data() + text.size();
+            const auto [rest, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc() && rest == end) return std::string();
+            return fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
+          },
+          "NUMBER"};
+}
+
 }  // namespace
 
 CLI::Validator FinitePositive() {
@@ -42,7 +55,7 @@ void AddSceneOptions(CLI::App& command, SceneRequest& request) {
   command.add_option("--solver", request.solver, "the method, in place of the scene's")->check(SolverName());
   command.add_option("--particles", request.particles, "the same fluid with that many particles")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}));
-  command.add_option("--seed", request.seed, "of the random start");
+  command.add_option("--seed", request.seed, "of the random start")->check(WholeNumber());
   command.add_option("--threads", request.threads, "0 for one a processor")->check(CLI::Range(0, 1024));
 }
 

@@ -18,8 +18,8 @@
 namespace sph {
 namespace {
 
-constexpr int kPanelSize = 400;  // [pixels]
-constexpr int kGap = 3;          // [pixels]
+constexpr int kPanelSize = 360;  // [pixels]
+constexpr int kGap = 2;          // [pixels]
 
 struct Snapshot {
   double time = 0;  // [s]
@@ -48,21 +48,24 @@ Image Strip(const std::string& scene, const std::string& keys, std::span<const S
   std::vector<Image> panels;
   for (const Snapshot& snapshot : snapshots) {
     RunUntil(session, script, snapshot.time);
-    panels.push_back(renderer.Render(InitialView(session.CurrentScene()), Colouring::kBlackDisks,
-                                     [&](Canvas& canvas) { session.System().Draw(canvas); },
-                                     {fmt::format("t = {:.2f} s: {}", session.System().Time(), snapshot.what), ""}));
+    panels.push_back(renderer.Render(
+        InitialView(session.CurrentScene()), Colouring::kBlackDisks,
+        [&](Canvas& canvas) { session.System().Draw(canvas); },
+        {fmt::format("t = {:.1f} s{}{}", session.System().Time(), snapshot.what.empty() ? "" : ": ", snapshot.what),
+         ""}));
   }
   return JoinPanels(panels, columns, kGap);
 }
 
 Image DamBreak() {
-  const std::vector<Snapshot> snapshots = {{3.9, "settled"},         {4.1, "the dam is broken"}, {4.4, "running"},
-                                           {4.8, "at the far wall"}, {5.4, "falling back"},      {6.4, "sloshing"}};
+  const std::vector<Snapshot> snapshots = {{3.9, "settled"},         {4.1, "the dam is gone"}, {4.4, "running"},
+                                           {5.0, "at the far wall"}, {5.6, "thrown back"},     {6.2, "sloshing"}};
   return Strip("dam-break", "4:d", snapshots, 3);
 }
 
 Image OrderingOfTheStar() {
-  const std::vector<Snapshot> snapshots = {{0, "random"}, {0.1, ""}, {0.4, ""}, {1, ""}, {4, ""}, {20, "at rest"}};
+  const std::vector<Snapshot> snapshots = {{0, "random"},         {0.1, "pushed apart"}, {0.5, "swinging out"},
+                                           {1.5, "falling back"}, {5, "ordering"},       {20, "ordered"}};
   return Strip("toy-star", "", snapshots, 3);
 }
 

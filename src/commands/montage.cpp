@@ -7,7 +7,7 @@
 namespace sph {
 namespace {
 
-constexpr std::uint8_t kGapGrey = 160;
+constexpr std::uint8_t kGapGrey = 190;
 
 void Fill(Image& image, int x, int y, int width, int height, std::uint8_t grey) {
   for (int row = y; row < y + height; ++row) {

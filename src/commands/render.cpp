@@ -1,5 +1,6 @@
 #include "commands/render.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -40,7 +41,19 @@ std::filesystem::path FrameFile(const std::filesystem::path& folder, long frame)
   return folder / fmt::format("frame_{:06}.png", frame);
 }
 
-/// Plays a session and writes a frame whenever one is due.
+/// How many frames: --frames, or as many as there are up to `until`, whichever are fewer.
+long CountFrames(const RenderOptions& options, double until) {
+  constexpr double kRoundOff = 1e-6;
+  constexpr double kMost = 1e8;
+  if (options.frames && !options.until) return *options.frames;
+  const double count = std::floor(until * options.fps + kRoundOff) + 1;
+  if (!options.frames && count > kMost) {
+    throw UsageError("--fps {} up to {} s makes {} frames; it takes at most {}", options.fps, until, count, kMost);
+  }
+  return static_cast<long>(options.frames ? std::min(count, static_cast<double>(*options.frames)) : count);
+}
+
+/// Draws a session, each picture a file.
 class FrameWriter {
  public:
   FrameWriter(const RenderOptions& options, Size size)
@@ -70,11 +83,10 @@ ExitCode RenderScene(const RenderOptions& options) {
   const Size size = ReadSize(options.size);
   Session session(options.common.request);
   KeyScript keys(options.common.keys, session.CurrentScene());
-  PrepareOutputDirectory(options.out);
+  const long wanted = CountFrames(options, options.until.value_or(session.CurrentScene().until));
   FrameWriter writer(options, size);
-  const double until = options.until.value_or(session.CurrentScene().until);
-  constexpr double kRoundOff = 1e-6;
-  const long wanted = options.frames.value_or(static_cast<long>(std::floor(until * options.fps + kRoundOff)) + 1);
+  PrepareOutputDirectory(options.out);
+  constexpr double kRoundOff = 1e-6;  // of a time step
   const Stopwatch watch;
   while (writer.Frames() < wanted && !session.System().Trouble() && !session.quit_requested && !Interrupted()) {
     const double due = static_cast<double>(writer.Frames()) / options.fps;

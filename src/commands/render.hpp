@@ -12,9 +12,9 @@ namespace sph {
 struct RenderOptions {
   CommonOptions common;
   std::string out = "frames";    ///< folder of frame_000000.png, frame_000001.png, ...
-  std::optional<long> frames;    ///< how many; default: up to `until`
+  std::optional<long> frames;    ///< how many at most; default: up to `until`
   double fps = 30;               ///< frames per simulated second
-  std::optional<double> until;   ///< [s]; default: the scene's
+  std::optional<double> until;   ///< [s]; default: the scene's, or where `frames` end
   std::string size = "960x960";  ///< WIDTHxHEIGHT [pixels]
   std::string backend = "auto";
 };

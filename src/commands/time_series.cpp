@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 
+#include "base/error.hpp"
 #include "io/output_directory.hpp"
 #include "io/whole_file.hpp"
 #include "particles/diagnostics.hpp"
@@ -15,6 +16,7 @@ TimeSeries::TimeSeries(std::string path, double every) : path_(std::move(path)),
   if (path_.empty()) return;
   const auto folder = std::filesystem::absolute(path_).parent_path();
   PrepareOutputDirectory(folder);
+  if (std::filesystem::is_directory(path_)) throw TroubleError("cannot write {}: it is a directory", path_);
   text_ =
       "time [s],step,particles,kinetic_energy [J/m],potential_energy [J/m],internal_energy [J/m],momentum_x [kg/s],"
       "momentum_y [kg/s],angular_momentum [kg m/s],max_speed [m/s],density_min [kg/m^3],density_mean [kg/m^3],"
@@ -22,6 +24,8 @@ TimeSeries::TimeSeries(std::string path, double every) : path_(std::move(path)),
 }
 
 void TimeSeries::AddRow(const ParticleSystem& system) {
+  if (system.Steps() == last_step_) return;
+  last_step_ = system.Steps();
   const Diagnostics d = Diagnose(system);
   // {} prints the shortest text that reads back as the same number, with a point whatever the locale.
   text_ += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", system.Time(), system.Steps(), system.State().Size(),

@@ -9,8 +9,8 @@ namespace sph {
 
 class TimeSeries {
  public:
-  /// @param path   the file; nothing is sampled or written if it is empty. TroubleError at once if its folder cannot be
-  /// written.
+  /// @param path   the file; nothing is sampled or written if it is empty. TroubleError at once if it is a folder, or
+  /// its own folder cannot be written.
   /// @param every  simulated time between rows [s]; 0: a row at every call
   TimeSeries(std::string path, double every);
 
@@ -24,7 +24,8 @@ class TimeSeries {
 
   std::string path_;
   double every_;
-  double next_ = 0;
+  double next_ = 0;      // [s]
+  long last_step_ = -1;  // of the last row
   std::string text_;
 };
 

@@ -69,6 +69,9 @@ class EglContext final : public OffscreenContext {
   EglContext& operator=(const EglContext&) = delete;
 
   void MakeCurrent() override {
+    // Mesa's OSMesa and EGL share one record of the current context, but EGL keeps its own too and does nothing if the
+    // context is current by that: after an OSMesa context was, only letting go first makes ours current again.
+    egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
       throw TroubleError("EGL: it refuses to make its context the current one (error {:#x})", egl_.get_error());
     }

@@ -13,7 +13,7 @@ namespace {
 constexpr int kCurvePoints = 200;
 
 Series ExactProfile(const ToyStar& star) {
-  Series exact{.name = "exact: λ/(4k) (R² − r²)", .colour = kPalette[1]};
+  Series exact{.name = "exact: λ/(4k) (R² − r²)", .colour = kPalette[1], .line_width = 2};
   for (int i = 0; i <= kCurvePoints; ++i) {
     exact.x.push_back(star.radius * i / kCurvePoints);
     exact.y.push_back(star.Density(exact.x.back()));

@@ -20,8 +20,10 @@ ParticleSystem::ParticleSystem(const Parameters& start) : parameters(start), ini
   SPH_CHECK(start.particle_mass > 0, "m = {}", start.particle_mass);
 }
 
+void ParticleSystem::RestoreParameters() { parameters = initial_parameters_; }
+
 void ParticleSystem::Reset() {
-  parameters = initial_parameters_;
+  RestoreParameters();
   trouble_.reset();
   time_ = 0;
   steps_ = 0;
@@ -40,13 +42,15 @@ void ParticleSystem::Step() {
 
 /// v(t - dt/2) from v(t) by half an Euler step backwards (paper, IV-B), for the particles from `first_id` on.
 void ParticleSystem::StepBackwards(std::uint32_t first_id) {
+  ComputeAccelerations();  // in any case: a view may want the fields before the next step
   if (parameters.integration == Integration::kSymplecticEuler) return;
-  ComputeAccelerations();
   const double half = 0.5 * parameters.time_step;
+  // The second-order form has its damping in Integrate, not in the acceleration.
+  const double nu = parameters.integration == Integration::kLeapFrog ? parameters.motion_damping : 0.0;
   for (std::size_t i = 0; i < particles_.Size(); ++i) {
     if (particles_.id[i] < first_id) continue;
-    particles_.vx_prev[i] = particles_.vx[i] - half * particles_.ax[i];
-    particles_.vy_prev[i] = particles_.vy[i] - half * particles_.ay[i];
+    particles_.vx_prev[i] = particles_.vx[i] - half * (particles_.ax[i] - nu * particles_.vx[i]);
+    particles_.vy_prev[i] = particles_.vy[i] - half * (particles_.ay[i] - nu * particles_.vy[i]);
   }
 }
 
@@ -58,6 +62,7 @@ void ParticleSystem::InitialPositions() {
 }
 
 std::string ParticleSystem::DropBlock() {
+  if (trouble_) return "the simulation has broken down: reset it first";
   const Block& drop = parameters.drop;
   if (drop.particles == 0) return "this scene has no block to drop";
   if (particles_.Size() + drop.particles > parameters.particle_limit) {

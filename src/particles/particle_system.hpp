@@ -47,8 +47,10 @@ class ParticleSystem {
   void Step();
 
   /// Density, pressure and accelerations at the current time, for who wants to look at them after the last step; Step()
-  /// itself computes them at its beginning.
-  void ComputeFields() { ComputeAccelerations(); }
+  /// itself computes them at its beginning. Does nothing once a step has broken down.
+  void ComputeFields() {
+    if (!trouble_) ComputeAccelerations();
+  }
 
   /// Walls and particles, in the colouring that the canvas wants.
   void Draw(Canvas& canvas) const;
@@ -87,6 +89,8 @@ class ParticleSystem {
   void AddMotionDamping();
   virtual void ComputeAccelerations();
   virtual void InitialPositions();
+  /// All parameters as they were constructed.
+  virtual void RestoreParameters();
   /// A particle must not move further than this in a step [m].
   virtual double LongestMove() const;
 

@@ -41,15 +41,17 @@ std::vector<Vec2> PlaceAtRandom(const Block& block, Random& random) {
 }
 
 /// Calls visit(site) for the sites of a square lattice, half a spacing inside `box`, rows from the bottom up, until it
-/// returns false.
+/// returns false. A box narrower than a spacing has one column in its middle.
 template <typename Visit>
 void VisitLattice(const Box& box, double spacing, Visit visit) {
   constexpr double kRoundOff = 1e-9;
-  const auto columns = static_cast<long>(std::floor(box.Width() / spacing + kRoundOff));
-  if (columns < 1) return;
+  constexpr double kMostColumns = 1e9;
+  const double width = box.Width() / spacing;
+  const auto columns = static_cast<long>(std::clamp(std::floor(width + kRoundOff), 1.0, kMostColumns));
+  const double margin = 0.5 * std::min(width + kRoundOff, 1.0);
   for (long row = 0; box.y0 + static_cast<double>(row + 1) * spacing <= box.y1 + kRoundOff * spacing; ++row) {
     for (long column = 0; column < columns; ++column) {
-      const Vec2 site{box.x0 + (static_cast<double>(column) + 0.5) * spacing,
+      const Vec2 site{box.x0 + (static_cast<double>(column) + margin) * spacing,
                       box.y0 + (static_cast<double>(row) + 0.5) * spacing};
       if (!visit(site)) return;
     }
@@ -60,6 +62,7 @@ void VisitLattice(const Box& box, double spacing, Visit visit) {
 
 std::vector<Vec2> Place(const Block& block, Random& random) {
   SPH_CHECK(block.region.Area() > 0, "area = {}", block.region.Area());
+  if (block.particles == 0) return {};
   if (block.arrange == Arrangement::kRandom) return PlaceAtRandom(block, random);
   std::vector<Vec2> places;
   Box column = block.region.Bounds();

@@ -56,8 +56,11 @@ void WallPainter::Add(Vec2 a, Vec2 b) {
   const Vec2 half_window = {0.5 * view_.width + 2 * width_, 0.5 * view_.height + 2 * width_};
   auto segment = Clipped({scale * (a - centre), scale * (b - centre)}, half_window);
   if (!segment) return;
-  if (a.x == b.x) segment->a.x = segment->b.x = Snapped(segment->a.x, width_, view_.width);
-  if (a.y == b.y) segment->a.y = segment->b.y = Snapped(segment->a.y, width_, view_.height);
+  if (a.x == b.x || a.y == b.y) {
+    for (Vec2* end : {&segment->a, &segment->b}) {
+      *end = {Snapped(end->x, width_, view_.width), Snapped(end->y, width_, view_.height)};
+    }
+  }
 
   const double length = Length(segment->b - segment->a);
   const Vec2 along = length > 0 ? (1 / length) * (segment->b - segment->a) : Vec2{1, 0};

@@ -21,6 +21,21 @@ bool Complete(const EquationOfState& equation) {
          (ideal_gas != nullptr && ideal_gas->k > 0 && ideal_gas->rho0 > 0);
 }
 
+void CheckEquation(const Scene& scene, const std::string& source) {
+  if (!Complete(scene.sph.equation_of_state)) {
+    throw UsageError(
+        "{}: the fluid needs one of equation_of_state.polytrope = {{ k }}, equation_of_state.tait = {{ k, rho0 }}, "
+        "equation_of_state.ideal_gas = {{ k, rho0 }}",
+        source);
+  }
+  if (scene.star && (scene.star->mass <= 0 || scene.star->radius <= 0)) {
+    throw UsageError("{}: forces.star takes both mass and radius", source);
+  }
+  if (scene.star && !std::holds_alternative<Polytrope>(scene.sph.equation_of_state)) {
+    throw UsageError("{}: forces.star goes with equation_of_state.polytrope", source);
+  }
+}
+
 void CheckRegion(const Scene& scene, const std::string& source) {
   const Region& region = scene.base.fluid.region;
   if (!(region.Area() > 0)) {
@@ -55,6 +70,7 @@ void CheckControls(const Scene& scene, const std::string& source) {
       } else {
         Scene trial = scene;
         SetWhileRunning(trial, std::get<SetAction>(action).key, std::get<SetAction>(action).to);
+        CheckEquation(trial, fmt::format("{}: {}", source, user));
       }
     }
   }
@@ -64,18 +80,7 @@ void CheckControls(const Scene& scene, const std::string& source) {
 
 void CheckWhole(const Scene& scene, const std::string& source) {
   CheckRegion(scene, source);
-  if (!Complete(scene.sph.equation_of_state)) {
-    throw UsageError(
-        "{}: the fluid needs one of equation_of_state.polytrope = {{ k }}, equation_of_state.tait = {{ k, rho0 }}, "
-        "equation_of_state.ideal_gas = {{ k, rho0 }}",
-        source);
-  }
-  if (scene.star && (scene.star->mass <= 0 || scene.star->radius <= 0)) {
-    throw UsageError("{}: forces.star takes both mass and radius", source);
-  }
-  if (scene.star && !std::holds_alternative<Polytrope>(scene.sph.equation_of_state)) {
-    throw UsageError("{}: forces.star goes with equation_of_state.polytrope", source);
-  }
+  CheckEquation(scene, source);
   if (scene.reference == Reference::kStaticStar && !scene.star) {
     throw UsageError("{}: reference = 'static-star' needs forces.star", source);
   }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
-#include <set>
+#include <map>
 #include <sstream>
 
 #include "base/error.hpp"
@@ -17,11 +18,15 @@ namespace sph {
 namespace {
 
 std::string ReadText(const std::filesystem::path& path) {
+  std::error_code ignored;  // what else is wrong with the path shows when it is opened
+  const bool is_directory = std::filesystem::is_directory(path, ignored);
   std::ifstream file(path, std::ios::binary);
+  constexpr auto kEnd = std::ifstream::traits_type::eof();
+  if (!is_directory && file && file.peek() == kEnd && !file.bad()) return {};  // to << an empty file is a failure
   std::ostringstream text;
-  if (!file || std::filesystem::is_directory(path) || !(text << file.rdbuf())) {
+  if (is_directory || !file || !(text << file.rdbuf())) {
     throw TroubleError("cannot read the scene file '{}': {}", path.string(),
-                       std::filesystem::is_directory(path) ? "it is a directory" : std::strerror(errno));
+                       is_directory ? "it is a directory" : std::strerror(errno));
   }
   return text.str();
 }
@@ -31,6 +36,18 @@ std::vector<std::string> Names(std::span<const Key> keys) {
   std::vector<std::string> names;
   for (const Key& key : keys) names.push_back(key.name);
   return names;
+}
+
+/// The keys outside the arrays of tables, the tables that they are in, and the two arrays.
+std::vector<std::string> AcceptedPaths() {
+  std::vector<std::string> paths = {"wall", "key"};
+  for (const SceneKey& key : AllSceneKeys()) {
+    paths.push_back(key.name);
+    for (auto dot = key.name.find('.'); dot != std::string::npos; dot = key.name.find('.', dot + 1)) {
+      paths.push_back(key.name.substr(0, dot));
+    }
+  }
+  return paths;
 }
 
 /// Applies the leaves of `table` to `scene`, `prefix` being the dotted path so far, and notes which keys were given.
@@ -46,31 +63,46 @@ class SceneReader {
       } else if (path == "key") {
         ReadControls(node);
       } else if (const SceneKey* key = FindSceneKey(path)) {
-        key->apply(scene_, Value(node, path, source_));
-        given_.insert(path);
-      } else if (node.is_table() && IsPrefix(path + ".")) {
-        Read(*node.as_table(), path + ".");
+        const Value value(node, path, source_);
+        key->apply(scene_, value);
+        given_.emplace(path, value.Place());
+      } else if (const SceneKey* inside = FirstKeyOf(path + "."); inside == nullptr) {
+        throw UsageError("{}: unknown key '{}'.{}", Place(node), path, DidYouMean(path, AcceptedPaths()));
+      } else if (!node.is_table()) {
+        throw UsageError("{}: {} takes keys of its own, such as {}", Place(node), path, inside->name);
       } else {
-        auto names = Names(AllSceneKeys());
-        names.insert(names.end(), {"wall", "key"});
-        throw UsageError("{}: unknown key '{}'.{}", Place(node), path, DidYouMean(path, names));
+        Read(*node.as_table(), path + ".");
       }
     }
   }
 
-  /// UsageError naming the first required key that was not given.
+  /// UsageError naming the first required key that was not given, or two of which a scene takes one.
   void CheckComplete() const {
     for (const SceneKey& key : AllSceneKeys()) {
       if (key.required && !given_.contains(key.name)) {
         throw UsageError("{}: the key '{}' is missing ({})", source_, key.name, key.what);
       }
     }
+    for (const std::string group : {"equation_of_state.", "fluid.region."}) CheckOneOf(group);
   }
 
  private:
-  static bool IsPrefix(const std::string& prefix) {
+  /// UsageError if keys of two members of the group were given, as in equation_of_state.tait and equation_of_state.polytrope.
+  void CheckOneOf(const std::string& group) const {
+    std::string first;
+    for (const auto& [path, place] : given_) {
+      if (!path.starts_with(group)) continue;
+      const std::string member = path.substr(0, path.find('.', group.size()));
+      if (first.empty()) first = member;
+      if (member != first) throw UsageError("{}: {} beside {}: a scene takes one of them", place, member, first);
+    }
+  }
+
+  static const SceneKey* FirstKeyOf(const std::string& prefix) {
     const auto keys = AllSceneKeys();
-    return std::any_of(keys.begin(), keys.end(), [&](const SceneKey& key) { return key.name.starts_with(prefix); });
+    const auto starts = [&](const SceneKey& key) { return key.name.starts_with(prefix); };
+    const auto found = std::find_if(keys.begin(), keys.end(), starts);
+    return found == keys.end() ? nullptr : &*found;
   }
 
   std::string Place(const toml::node& node) const { return Value(node, "", source_).Place(); }
@@ -149,7 +181,7 @@ class SceneReader {
 
   Scene& scene_;
   std::string source_;
-  std::set<std::string, std::less<>> given_;
+  std::map<std::string, std::string, std::less<>> given_;  // keys, and their places
 };
 
 /// "a.b=3" as a table. A value that is not TOML is taken as a text, so that names need no quotes.
@@ -206,8 +238,14 @@ void SetWhileRunning(Scene& scene, const std::string& key, double number) {
                      found == nullptr ? "is not a scene key" : "cannot be set while the scene runs",
                      DidYouMean(key, names));
   }
-  const toml::value<double> node(number);
-  found->apply(scene, Value(node, key, "--set"));
+  constexpr double kWholeUpTo = 0x1.0p53;
+  if (number == std::floor(number) && std::abs(number) <= kWholeUpTo) {  // which goes for a number, too
+    const toml::value<std::int64_t> node(static_cast<std::int64_t>(number));
+    found->apply(scene, Value(node, key, "--set"));
+  } else {
+    const toml::value<double> node(number);
+    found->apply(scene, Value(node, key, "--set"));
+  }
 }
 
 }  // namespace sph

@@ -197,19 +197,16 @@ std::span<const WallKey> AllWallKeys() {
 namespace {
 
 /// One entry of `do`: { move_wall = "name", to = x } or { set = "key", to = value }.
-std::variant<MoveWallAction, SetAction> ReadAction(const toml::node& node, const Value& array) {
+std::variant<MoveWallAction, SetAction> ReadAction(const toml::node& node, const Value& list) {
   const auto* table = node.as_table();
-  const toml::source_position place = node.source().begin;
-  const std::string where = fmt::format("{} (line {})", array.Place(), place.line);
-  const std::string accepted = "{ move_wall = \"name\", to = number } or { set = \"key\", to = number }";
-  if (table == nullptr || table->size() != 2 || !table->contains("to")) {
-    throw UsageError("{}: an entry of {} takes {}", where, array.Key(), accepted);
+  if (table != nullptr && table->size() == 2 && table->contains("to")) {
+    const auto entry = [&](const char* name) { return list.Inner(*table->get(name), name); };
+    const double to = entry("to").AsNumber(Accepted::Any());
+    if (table->contains("move_wall")) return MoveWallAction{entry("move_wall").AsText(), to};
+    if (table->contains("set")) return SetAction{entry("set").AsText(), to};
   }
-  const auto read = [&](const char* name) { return Value(*table->get(name), name, array.Place()); };
-  const double to = read("to").AsNumber(Accepted::Any());
-  if (table->contains("move_wall")) return MoveWallAction{read("move_wall").AsText(), to};
-  if (table->contains("set")) return SetAction{read("set").AsText(), to};
-  throw UsageError("{}: an entry of {} takes {}", where, array.Key(), accepted);
+  throw UsageError("{}: an entry of {} takes {}", list.Inner(node, "").Place(), list.Key(),
+                   "{ move_wall = \"name\", to = number } or { set = \"key\", to = number }");
 }
 
 }  // namespace

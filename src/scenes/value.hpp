@@ -40,6 +40,9 @@ class Value {
   /// The position of the text in `names`.
   std::size_t AsChoice(std::span<const std::string> names) const;
 
+  /// A value inside this one, from the same source.
+  Value Inner(const toml::node& node, const std::string& key) const { return {node, key_ + "." + key, source_}; }
+
   const std::string& Key() const { return key_; }
   /// "file:line:column", or "--set".
   std::string Place() const;

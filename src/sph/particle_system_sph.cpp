@@ -8,8 +8,13 @@
 namespace sph {
 
 ParticleSystemSPH::ParticleSystemSPH(const Parameters& base, const ParametersSPH& sph)
-    : ParticleSystem(base), parameters_sph(sph) {
+    : ParticleSystem(base), parameters_sph(sph), initial_parameters_sph_(sph) {
   SPH_CHECK(sph.smoothing_length > 0, "h = {}", sph.smoothing_length);
+}
+
+void ParticleSystemSPH::RestoreParameters() {
+  ParticleSystem::RestoreParameters();
+  parameters_sph = initial_parameters_sph_;
 }
 
 void ParticleSystemSPH::ComputeAccelerations() {

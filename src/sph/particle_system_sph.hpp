@@ -44,6 +44,7 @@ class ParticleSystemSPH : public ParticleSystem {
   /// The pressure terms of the accelerations (eq. 10), and whatever else acts between neighbours.
   virtual void AddSpatialInteraction();
   void ComputeAccelerations() override;
+  void RestoreParameters() override;
   double LongestMove() const override { return Support(); }
 
   /// Sorts the particles by cell.
@@ -61,6 +62,9 @@ class ParticleSystemSPH : public ParticleSystem {
   std::vector<double> density_;        // [kg/m^3]
   std::vector<double> pressure_;       // [Pa]
   std::vector<double> pressure_term_;  // P/rho^2 [m^5/(kg s^2)]
+
+ private:
+  ParametersSPH initial_parameters_sph_;
 };
 
 template <typename Work>

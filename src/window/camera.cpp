@@ -34,7 +34,8 @@ bool ClearOfText(const View& view, const Box& content, double ui_scale) {
   const Vec2 top_left = view.ToPixel({content.x0, content.y1});
   const Vec2 top_right = view.ToPixel({content.x1, content.y1});
   const bool below_status = top_left.y >= kStatusHeight * ui_scale || top_left.x >= kStatusWidth * ui_scale;
-  const bool below_legend = top_right.y >= kLegendHeight * ui_scale || top_right.x <= view.width - kLegendWidth * ui_scale;
+  const bool below_legend =
+      top_right.y >= kLegendHeight * ui_scale || top_right.x <= view.width - kLegendWidth * ui_scale;
   return below_status && below_legend;
 }
 
@@ -67,7 +68,8 @@ PixelSize FirstWindowSize(const Box& content, PixelSize screen, double ui_scale)
   const double highest = kOfScreen * screen.height;
   const double scale = std::min((widest - 2 * kMargin * ui_scale) / content.Width(),
                                 std::max(0.5 * highest, highest - text_height) / content.Height());
-  const double width = std::max(scale * content.Width() + 2 * kMargin * ui_scale, std::min(kStatusWidth * ui_scale, widest));
+  const double width =
+      std::max(scale * content.Width() + 2 * kMargin * ui_scale, std::min(kStatusWidth * ui_scale, widest));
   return {static_cast<int>(std::lround(width)), static_cast<int>(std::lround(scale * content.Height() + text_height))};
 }
 

@@ -8,8 +8,8 @@
 
 namespace sph {
 
-/// A connection of our own to $DISPLAY. To be kept until freeglut has its own: a server whose last client leaves may start
-/// anew (Xvfb does), and turn away who comes just then.
+/// A connection of our own to $DISPLAY. To be kept until freeglut has its own: a server whose last client leaves may
+/// start anew (Xvfb does), and turn away who comes just then.
 class Display {
  public:
   /// TroubleError if there is no display, with what was tried and with `advice`: what to do without one.
@@ -23,7 +23,8 @@ class Display {
   /// The window that gets the keys, or what the server says instead.
   unsigned long Focus() const;
 
-  /// While one of these lives, a request that the server refuses fails without ending the program, as Xlib would have it.
+  /// While one of these lives, a request that the server refuses fails without ending the program, as Xlib would have
+  /// it.
   class Forgiving {
    public:
     explicit Forgiving(const Display& display);

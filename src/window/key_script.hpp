@@ -12,8 +12,8 @@ class KeyScript {
  public:
   KeyScript() = default;
   /// "T:KEY" presses KEY at time T [s] and lets it go a tenth of a second later, "T:KEY:SECONDS" after that time;
-  /// entries are separated by commas; an empty text has none. `scene` may give keys a meaning of its own. UsageError with the entry, what is
-  /// accepted and the nearest key.
+  /// entries are separated by commas; an empty text has none. `scene` may give keys a meaning of its own. UsageError
+  /// with the entry, what is accepted and the nearest key.
   KeyScript(const std::string& text, const Scene& scene);
 
   /// Presses and releases what is due at the session's time. To be called before each step.

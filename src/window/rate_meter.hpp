@@ -18,8 +18,8 @@ class RateMeter {
 
  private:
   Rates rates_;
-  double since_ = 0;       // wall time at which the counting began [s]
-  double simulated_ = 0;   // the system's time then [s]
+  double since_ = 0;      // wall time at which the counting began [s]
+  double simulated_ = 0;  // the system's time then [s]
   long steps_ = 0;
   long frames_ = 0;
 };

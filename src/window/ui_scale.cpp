@@ -22,7 +22,8 @@ std::optional<double> Asked() {
   double scale = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), scale);
   if (error == std::errc() && end == text.data() + text.size() && scale >= kSmallest && scale <= kLargest) return scale;
-  throw UsageError("SPHLAB_UI_SCALE={}: it takes a number from {} to {}; 1 is text of 15 pixels", text, kSmallest, kLargest);
+  throw UsageError("SPHLAB_UI_SCALE={}: it takes a number from {} to {}; 1 is text of 15 pixels", text, kSmallest,
+                   kLargest);
 }
 
 }  // namespace

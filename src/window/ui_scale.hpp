@@ -11,7 +11,8 @@ class UiScale {
   /// @param dots_per_inch  what the desktop asks for, if it does; 96 is scale 1
   explicit UiScale(std::optional<double> dots_per_inch);
 
-  /// Of a window of that many pixels; 1 is text of 15 pixels. In quarters, so that few fonts are made as a window is resized.
+  /// Of a window of that many pixels; 1 is text of 15 pixels. In quarters, so that few fonts are made as a window is
+  /// resized.
   double For(int width, int height) const;
 
  private:

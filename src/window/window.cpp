@@ -26,14 +26,15 @@
 namespace sph {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;     // [s]
-constexpr double kStepBudget = 0.012;   // [s] of a frame; the rest is for drawing
+constexpr double kFrame = 1.0 / 60;    // [s]
+constexpr double kStepBudget = 0.012;  // [s] of a frame; the rest is for drawing
 
 /// freeglut calls this instead of ending the program; it passes the exception on, as its frames have unwind tables.
 void RefuseGlutError(const char* format, va_list arguments) {
   std::array<char, 1000> text{};
   std::vsnprintf(text.data(), text.size(), format, arguments);
-  throw TroubleError("the window does not open: {}\nsphlab needs an X display with GLX and OpenGL 3.3 core.", text.data());
+  throw TroubleError("the window does not open: {}\nsphlab needs an X display with GLX and OpenGL 3.3 core.",
+                     text.data());
 }
 
 /// freeglut's callbacks; it owns window and context. What must be deleted while the context is current is in `screen_`.
@@ -42,7 +43,8 @@ class Window {
   Window(const SceneRequest& request, std::function<bool()> interrupted)
       : session_(request),
         interrupted_(std::move(interrupted)),
-        display_(fmt::format("Without one, `sphlab render {} --out frames` draws the scene to PNG files.", request.scene)),
+        display_(
+            fmt::format("Without one, `sphlab render {} --out frames` draws the scene to PNG files.", request.scene)),
         ui_scale_(display_.DotsPerInch()),
         glut_(LoadGlut()) {}
 
@@ -133,8 +135,10 @@ void Window::Open() {
   Resize(size);
   FollowScene();
   board_.Show(session_.CurrentScene().title + "\nh shows what the keys do", clock_.Seconds());
-  glut_.ReshapeFuncUcall([](int width, int height, void* w) { Guard(w, [&](Window& s) { s.Resize({width, height}); }); },
-                         this);
+  glut_.ReshapeFuncUcall(
+      [](int width, int height, void* w) { Guard(w, [&](Window& s) {
+                                             s.Resize({width, height});
+                                           }); }, this);
   glut_.DisplayFuncUcall([](void* w) { Guard(w, [](Window& s) { s.Draw(); }); }, this);
   glut_.CloseFuncUcall([](void* w) { Guard(w, [](Window& s) { s.Close(); }); }, this);
 }
@@ -156,7 +160,8 @@ void Window::ArmTimer() {
   const double now = clock_.Seconds();
   next_tick_ = std::max(next_tick_ + kFrame, now);
   const auto wait_ms = static_cast<unsigned>(1000 * (next_tick_ - now));
-  glut_.TimerFuncUcall(wait_ms, [](int, void* w) { Guard(w, [](Window& s) { s.Tick(); }); }, 0, this);
+  glut_.TimerFuncUcall(
+      wait_ms, [](int, void* w) { Guard(w, [](Window& s) { s.Tick(); }); }, 0, this);
 }
 
 void Window::Resize(PixelSize window) {
