@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -18,8 +17,8 @@
 namespace sph {
 namespace {
 
-constexpr int kPanelSize = 360;  // [pixels]
-constexpr int kGap = 2;          // [pixels]
+constexpr int kColumns = 3;
+constexpr int kPanelWidth = 400;  // [pixels]
 
 struct Snapshot {
   double time = 0;  // [s]
@@ -38,35 +37,54 @@ void RunUntil(Session& session, KeyScript& keys, double time) {
   keys.Play(session);
 }
 
-/// The scene at each of the times, in rows of `columns` panels.
-Image Strip(const std::string& scene, const std::string& keys, std::span<const Snapshot> snapshots, int columns) {
+/// What of a scene's run a figure shows.
+struct Strip {
+  std::string scene;
+  std::string keys;  // as for --keys
+  Box region;        // [m]
+  int panel_height = kPanelWidth;
+  std::vector<Snapshot> snapshots;
+};
+
+Image Draw(const Strip& strip) {
   SceneRequest request;
-  request.scene = scene;
+  request.scene = strip.scene;
   Session session(request);
-  KeyScript script = keys.empty() ? KeyScript() : KeyScript(keys, session.CurrentScene());
-  FrameRenderer renderer(Backend::kAuto, kPanelSize, kPanelSize);
-  std::vector<Image> panels;
-  for (const Snapshot& snapshot : snapshots) {
-    RunUntil(session, script, snapshot.time);
-    panels.push_back(renderer.Render(
-        InitialView(session.CurrentScene()), Colouring::kBlackDisks,
-        [&](Canvas& canvas) { session.System().Draw(canvas); },
-        {fmt::format("t = {:.1f} s{}{}", session.System().Time(), snapshot.what.empty() ? "" : ": ", snapshot.what),
-         ""}));
+  KeyScript keys = strip.keys.empty() ? KeyScript() : KeyScript(strip.keys, session.CurrentScene());
+  FrameRenderer renderer(Backend::kAuto, kPanelWidth, strip.panel_height);
+  std::vector<Panel> panels;
+  for (const Snapshot& snapshot : strip.snapshots) {
+    RunUntil(session, keys, snapshot.time);
+    panels.push_back(
+        {renderer.Render(strip.region, Colouring::kBlackDisks, [&](Canvas& canvas) { session.System().Draw(canvas); }),
+         fmt::format("t = {:.1f} s: {}", session.System().Time(), snapshot.what)});
   }
-  return JoinPanels(panels, columns, kGap);
+  return JoinPanels(panels, kColumns);
 }
 
 Image DamBreak() {
-  const std::vector<Snapshot> snapshots = {{3.9, "settled"},         {4.1, "the dam is gone"}, {4.4, "running"},
-                                           {5.0, "at the far wall"}, {5.6, "thrown back"},     {6.2, "sloshing"}};
-  return Strip("dam-break", "4:d", snapshots, 3);
+  return Draw({.scene = "dam-break",
+               .keys = "4:d",
+               .region = {-0.95, -0.95, 0.95, -0.3},  // nothing flies higher; the walls do
+               .panel_height = 200,
+               .snapshots = {{3.9, "settled"},
+                             {4.1, "the dam is gone"},
+                             {4.4, "running"},
+                             {5.0, "at the far wall"},
+                             {5.6, "thrown back"},
+                             {6.2, "sloshing"}}});
 }
 
 Image OrderingOfTheStar() {
-  const std::vector<Snapshot> snapshots = {{0, "random"},         {0.1, "pushed apart"}, {0.5, "swinging out"},
-                                           {1.5, "falling back"}, {5, "ordering"},       {20, "ordered"}};
-  return Strip("toy-star", "", snapshots, 3);
+  return Draw({.scene = "toy-star",
+               .keys = "",
+               .region = {-0.95, -0.95, 0.95, 0.95},
+               .snapshots = {{0, "random"},
+                             {0.1, "pushed apart"},
+                             {0.5, "swinging out"},
+                             {1.5, "falling back"},
+                             {5, "ordering"},
+                             {20, "ordered"}}});
 }
 
 Image DensityOfTheStar() {
