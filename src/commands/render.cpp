@@ -88,12 +88,13 @@ ExitCode RenderScene(const RenderOptions& options) {
   PrepareOutputDirectory(options.out);
   constexpr double kRoundOff = 1e-6;  // of a time step
   const Stopwatch watch;
-  while (writer.Frames() < wanted && !session.System().Trouble() && !session.quit_requested && !Interrupted()) {
+  while (writer.Frames() < wanted && !session.System().Trouble() && !Interrupted()) {
     const double due = static_cast<double>(writer.Frames()) / options.fps;
     keys.Play(session);
     PassOnMessage(session, options.common.quiet);
     if (session.save_requested) writer.WriteSaved(session);
     session.save_requested = false;
+    if (session.quit_requested) break;
     if (session.System().Time() >= due - kRoundOff * session.System().parameters.time_step) {
       writer.WriteFrame(session);
     } else if (!session.StepUnlessPaused()) {

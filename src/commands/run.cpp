@@ -53,11 +53,12 @@ ExitCode RunScene(const RunOptions& options) {
     return system.Time() >= until - kRoundOff * system.parameters.time_step;
   };
   const Stopwatch watch;
-  while (!finished() && !session.System().Trouble() && !session.quit_requested && !Interrupted()) {
+  while (!finished() && !session.System().Trouble() && !Interrupted()) {
     keys.Play(session);
     PassOnMessage(session, options.common.quiet);
     if (session.save_requested) fmt::print(stderr, "s saves nothing in `run`: use `sphlab render`\n");
     session.save_requested = false;
+    if (session.quit_requested) break;
     series.Sample(session.System());
     if (!session.StepUnlessPaused()) break;  // no later key can be reached
     progress.Show(session.System().Time(), until);

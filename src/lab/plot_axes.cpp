@@ -125,7 +125,8 @@ Ends WithMargin(Ends ends, Scale scale) {
   Ends wider = {ends.low - margin, ends.high + margin};
   if (scale == Scale::kLinear && ends.low >= 0) wider.low = std::max(wider.low, 0.0);
   if (scale == Scale::kLinear && ends.high <= 0) wider.high = std::min(wider.high, 0.0);
-  return wider;
+  const double furthest = scale == Scale::kLog ? std::log10(kLargest) : 2 * kLargest;
+  return {std::max(wider.low, -furthest), std::min(wider.high, furthest)};
 }
 
 }  // namespace
@@ -138,7 +139,8 @@ std::string PowerOfTen(int exponent) {
 }
 
 std::vector<Tick> LinearTicks(double low, double high, int at_most) {
-  SPH_CHECK(low < high && at_most >= 1, "low = {}, high = {}, at_most = {}", low, high, at_most);
+  SPH_CHECK(low < high && std::isfinite(high - low) && at_most >= 1, "low = {}, high = {}, at_most = {}", low, high,
+            at_most);
   const double step = RoundStep(low, high, at_most);
   const NumberFormat format = FormatFor(low, high, step);
   const Multiples multiples(low, high, step);

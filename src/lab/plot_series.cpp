@@ -11,13 +11,13 @@
 namespace sph {
 namespace {
 
-struct Segment2 {
+struct Piece {
   Vec2 a;
   Vec2 b;
 };
 
 /// The part of the segment in the box [Liang & Barsky 1984]: Cairo's coordinates do not reach far beyond a picture.
-std::optional<Segment2> Clip(Vec2 a, Vec2 b, const Box& box) {
+std::optional<Piece> Clip(Vec2 a, Vec2 b, const Box& box) {
   const Vec2 d = b - a;
   double from = 0, to = 1;
   const auto cut = [&](double rise, double room) {  // rise * s <= room
@@ -29,7 +29,9 @@ std::optional<Segment2> Clip(Vec2 a, Vec2 b, const Box& box) {
   if (!cut(-d.x, a.x - box.x0) || !cut(d.x, box.x1 - a.x) || !cut(-d.y, a.y - box.y0) || !cut(d.y, box.y1 - a.y)) {
     return std::nullopt;
   }
-  return Segment2{a + from * d, to == 1 ? b : a + to * d};
+  // Ends far away leave rounding errors as large as the picture.
+  const auto inside = [&](Vec2 p) { return Vec2{std::clamp(p.x, box.x0, box.x1), std::clamp(p.y, box.y0, box.y1)}; };
+  return Piece{inside(a + from * d), inside(to == 1 ? b : a + to * d)};
 }
 
 std::optional<Vec2> ToPixel(const PlotLayout& layout, double x, double y) {

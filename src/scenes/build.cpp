@@ -61,7 +61,9 @@ Parameters CompleteParameters(const Scene& scene) {
   if (base.drop.region.Area() <= 0) base.drop = DefaultDrop(base);
   if (base.drop.spacing <= 0) base.drop.spacing = Spacing(base.fluid);
   if (base.drop.particles == 0) {
-    base.drop.particles = static_cast<std::size_t>(base.drop.region.Area() / (base.drop.spacing * base.drop.spacing));
+    constexpr double kRoundOff = 1e-9;
+    const double sites = base.drop.region.Area() / (base.drop.spacing * base.drop.spacing);
+    base.drop.particles = static_cast<std::size_t>(sites + kRoundOff);
   }
   if (base.particle_limit == 0) base.particle_limit = std::max<std::size_t>(20 * base.fluid.particles, 10'000);
   return base;

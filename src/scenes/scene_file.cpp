@@ -187,10 +187,12 @@ class SceneReader {
 /// "a.b=3" as a table. A value that is not TOML is taken as a text, so that names need no quotes.
 toml::table ParseSetting(const std::string& setting) {
   const auto equals = setting.find('=');
-  if (equals == std::string::npos || equals == 0) {
+  const bool one_line = setting.find_first_of("\r\n") == std::string::npos;
+  const std::string key = setting.substr(0, equals);
+  const auto name = key.find_first_not_of(" \t");
+  if (equals == std::string::npos || !one_line || name == std::string::npos || key[name] == '#') {
     throw UsageError("--set {}: it takes KEY=VALUE, such as forces.damping=0.5", setting);
   }
-  const std::string key = setting.substr(0, equals);
   const std::string value = setting.substr(equals + 1);
   try {
     return toml::parse(key + " = " + value);

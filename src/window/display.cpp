@@ -17,6 +17,7 @@ using OpenDisplay = void* (*)(const char* name);
 using CloseDisplay = int (*)(void* connection);
 using GetDefault = char* (*)(void* connection, const char* program, const char* option);
 using GetInputFocus = int (*)(void* connection, unsigned long* window, int* where_it_goes_back_to);
+using SetDetectableAutoRepeat = int (*)(void* connection, int detectable, int* supported);
 using ErrorHandler = int (*)(void* connection, void* error);
 using SetErrorHandler = ErrorHandler (*)(ErrorHandler);
 
@@ -59,6 +60,12 @@ unsigned long Display::Focus() const {
   int where_it_goes_back_to = 0;
   xlib_.Find<GetInputFocus>("XGetInputFocus")(connection_, &window, &where_it_goes_back_to);
   return window;
+}
+
+bool Display::ReportRepeatsAsPresses(void* connection) const {
+  int supported = 0;
+  xlib_.Find<SetDetectableAutoRepeat>("XkbSetDetectableAutoRepeat")(connection, 1, &supported);
+  return supported != 0;
 }
 
 Display::Forgiving::Forgiving(const Display& display)

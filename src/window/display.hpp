@@ -23,6 +23,10 @@ class Display {
   /// The window that gets the keys, or what the server says instead.
   unsigned long Focus() const;
 
+  /// Has a key that is held be reported as pressed again and again, not as released and pressed again and again, to
+  /// whom `connection` (an Xlib one) belongs. @return whether the server can do that
+  bool ReportRepeatsAsPresses(void* connection) const;
+
   /// While one of these lives, a request that the server refuses fails without ending the program, as Xlib would have
   /// it.
   class Forgiving {

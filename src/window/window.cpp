@@ -144,7 +144,11 @@ void Window::Open() {
 }
 
 void Window::ListenToKeys() {
-  glut_.IgnoreKeyRepeat(1);  // a key that is held is pressed once
+  // A key that is held is pressed once. freeglut, told to ignore repeats, asks whether the key is down now; in a slow
+  // frame it would take two quick taps for one. So the server marks repeats, and Press knows what is down.
+  const auto glut_connection = reinterpret_cast<void* (*)()>(glut_.GetProcAddress("glXGetCurrentDisplay"));
+  const bool marked = glut_connection != nullptr && display_.ReportRepeatsAsPresses(glut_connection());
+  glut_.IgnoreKeyRepeat(marked ? 0 : 1);
   glut_.KeyboardFuncUcall(
       [](unsigned char code, int, int, void* w) { Guard(w, [&](Window& s) { s.Press(NameOfKey(code)); }); }, this);
   glut_.KeyboardUpFuncUcall(
@@ -200,7 +204,7 @@ void Window::Draw() {
 void Window::Press(const std::string& key) {
   if (key.empty() || !screen_) return;
   if (held_.empty()) focus_ = display_.Focus();
-  held_.insert(key);
+  if (!held_.insert(key).second) return;  // a repeat
   board_.Show({}, clock_.Seconds());
   PressKey(session_, key);
   if (session_.quit_requested) {
@@ -213,14 +217,21 @@ void Window::Press(const std::string& key) {
 }
 
 void Window::Release(const std::string& key) {
-  if (held_.erase(key) == 0 || !screen_) return;
-  ReleaseKey(session_, key);
-  // Of two arrows, the one still held goes on.
-  for (const std::string& other : held_) {
+  if (!screen_) return;
+  const auto acts_while_held = [](const std::string& other) {
     const Control* control = FindControl(other);
-    if (control != nullptr && control->release != nullptr) PressKey(session_, other);
+    return control != nullptr && control->release != nullptr;
+  };
+  if (held_.erase(key) == 0) {
+    // It has another name than when it was pressed: Shift came or went. No use in keeping what may be up.
+    std::erase_if(held_, [&](const std::string& other) { return !acts_while_held(other); });
+    return;
   }
-  ShowMessage();
+  if (!acts_while_held(key)) return;
+  ReleaseKey(session_, key);
+  for (const std::string& other : held_) {
+    if (acts_while_held(other)) PressKey(session_, other);  // of two arrows, the one still held goes on
+  }
 }
 
 /// Keys that are down when another window gets the keys are let go there: here nobody hears of it.

@@ -10,7 +10,8 @@ namespace sph {
 namespace {
 
 TEST(Random, RepeatsTheNumberThatTheStandardPrescribes) {
-  // [rand.predef]: the 10000th number of mt19937_64, seeded with 5489, is 9981545732273789042. We keep its upper 53 bits.
+  // [rand.predef]: the 10000th number of mt19937_64, seeded with 5489, is 9981545732273789042. We keep its upper 53
+  // bits.
   Random random(5489);
   for (int k = 1; k < 10000; ++k) random.Uniform();
   EXPECT_EQ(random.Uniform(), std::ldexp(static_cast<double>(9981545732273789042ULL >> 11), -53));
@@ -45,7 +46,8 @@ TEST(Random, HasMeanAndVarianceOfTheUniformDistribution) {
     sum += u;
     squares += u * u;
   }
-  // Four standard deviations of the mean of u (sqrt(1/12)) and of u^2 (sqrt(4/45)): the seed is fixed, so no luck is needed.
+  // Four standard deviations of the mean of u (sqrt(1/12)) and of u^2 (sqrt(4/45)): the seed is fixed, so no luck is
+  // needed.
   EXPECT_NEAR(sum / kNumbers, 1.0 / 2, 4 * std::sqrt(1.0 / 12 / kNumbers));
   EXPECT_NEAR(squares / kNumbers, 1.0 / 3, 4 * std::sqrt(4.0 / 45 / kNumbers));
 }

@@ -64,8 +64,9 @@ std::string MissedPair(const Points& points, double side = kSide) {
     for (std::uint32_t j = 0; j < p.x.size(); ++j) {
       const bool near = std::hypot(p.x[i] - p.x[j], p.y[i] - p.y[j]) < side;
       if (offered.count(j) > 1 || (near && offered.count(j) == 0)) {
-        return "(" + std::to_string(p.x[i]) + ", " + std::to_string(p.y[i]) + ") is offered (" + std::to_string(p.x[j]) +
-               ", " + std::to_string(p.y[j]) + ") " + std::to_string(offered.count(j)) + " times";
+        return "(" + std::to_string(p.x[i]) + ", " + std::to_string(p.y[i]) + ") is offered (" +
+               std::to_string(p.x[j]) + ", " + std::to_string(p.y[j]) + ") " + std::to_string(offered.count(j)) +
+               " times";
       }
     }
   }
@@ -88,8 +89,8 @@ RC_GTEST_PROP(CellGrid, OffersEveryPairWhenSomeHaveEscapedFarAway, ()) {
 }
 
 RC_GTEST_PROP(CellGrid, OffersEveryPairAtArbitraryPositionsAndSides, ()) {
-  // Numbers that are no multiples of anything. A pair that is nearer than a side by round-off of its positions may fall on
-  // either side of "within": the kernel is 0 there.
+  // Numbers that are no multiples of anything. A pair that is nearer than a side by round-off of its positions may fall
+  // on either side of "within": the kernel is 0 there.
   const double side = *rc::gen::map(rc::gen::inRange(1, 100000), [](int k) { return k / 77777.0; });
   Points points;
   for (const auto& [a, b] : *Clumps(100000)) points.Add(a / 33333.0, b / 33333.0);
@@ -176,7 +177,8 @@ TEST(CellGrid, MemoryFollowsTheNumberOfParticlesHoweverFarTheyAre) {
 }
 
 TEST(CellGrid, ALongThinStreamIsCoveredToItsEnds) {
-  Points points;  // 2000 cells long, one cell high: within the memory, so that no cell has to take two places' particles
+  Points
+      points;  // 2000 cells long, one cell high: within the memory, so that no cell has to take two places' particles
   for (int k = 0; k < 1000; ++k) points.Add(2 * kSide * k, 0);
   const CellGrid grid = GridOf(points);
   EXPECT_GE(grid.Columns(), 1999);

@@ -46,11 +46,12 @@ std::array<double, 3> SeenByADeuteranope(const std::array<double, 3>& rgb) {
   return {yellow, yellow, -0.02234 * r + 0.02234 * g + b};
 }
 
+// In steps that 8 bits resolve.
 TEST(ColourMap, GrowsLighterWithTheValue) {
-  for (int i = 0; i < kSteps; ++i) {
-    const double lower = ToLab(Light(ColourAt(static_cast<double>(i) / kSteps))).lightness;
-    const double higher = ToLab(Light(ColourAt((i + 1.0) / kSteps))).lightness;
-    EXPECT_GT(higher, lower) << i;
+  for (int i = 0; i < 64; ++i) {
+    const double lower = ToLab(Light(ColourAt(i / 64.0))).lightness;
+    const double higher = ToLab(Light(ColourAt((i + 1) / 64.0))).lightness;
+    EXPECT_GT(higher, lower + 0.5) << i;
   }
 }
 

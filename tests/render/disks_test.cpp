@@ -77,8 +77,11 @@ TEST(Disks, AreRound) {
         EXPECT_EQ(Ink(image, x, y), Ink(image, y, x));
         EXPECT_EQ(Ink(image, x, y), Ink(image, 63 - x, y));
         const double distance = std::hypot(x - 31.5, y - 31.5);
-        if (distance < radius - 1) EXPECT_EQ(Ink(image, x, y), 1) << x << " " << y;
-        if (distance > radius + 1) EXPECT_EQ(Ink(image, x, y), 0) << x << " " << y;
+        if (distance < radius - 1) {
+          EXPECT_EQ(Ink(image, x, y), 1) << x << " " << y;
+        } else if (distance > radius + 1) {
+          EXPECT_EQ(Ink(image, x, y), 0) << x << " " << y;
+        }
       }
     }
   }
@@ -92,8 +95,8 @@ TEST(Disks, AreWhereTheViewSaysEvenFarFromTheOrigin) {
     const Image image = easel.Draw(view, Colouring::kBlackDisks, [&](Canvas& c) { DrawOne(c, centre, 0.1); });
     const Vec2 expected = view.ToPixel(centre);
     const Vec2 found = Weigh(image).centre;
-    EXPECT_NEAR(found.x, expected.x, 0.01) << far;
-    EXPECT_NEAR(found.y, expected.y, 0.01) << far;
+    EXPECT_NEAR(found.x, expected.x, 0.02) << far;  // the pixels sample the smooth edge
+    EXPECT_NEAR(found.y, expected.y, 0.02) << far;
   }
 }
 

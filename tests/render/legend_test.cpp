@@ -27,19 +27,19 @@ TEST(Legend, WritesTheEndsWithTheDigitsThatTellThemApart) {
   EXPECT_EQ(ends(999.98, 1000.03), "999.9800 to 1000.0300");
   EXPECT_EQ(ends(0, 2.5e-4), "0 to 0.000250");
   EXPECT_EQ(ends(0, 3.456e-9), "0.00e+00 to 3.46e-09");
-  EXPECT_EQ(ends(1e8, 3e8), "1.00e+08 to 3.00e+08");
+  EXPECT_EQ(ends(1e8, 3e8), "1.000e+08 to 3.000e+08");
 }
 
 TEST(Legend, IsInThePictureOfValuesOnly) {
-  Easel easel(640, 360);
-  const View view{{0, 0, 640, 360}, 640, 360};
+  Easel easel(1280, 720);
+  const View view{{0, 0, 1280, 720}, 1280, 720};
   const std::vector<double> x = {100, 200};
   const std::vector<double> y = {100, 100};
   const std::vector<double> values = {1, 2};
   const Image black = easel.Draw(view, Colouring::kBlackDisks, [&](Canvas& c) { c.DrawDisks(x, y, 5, {}); });
   const Image coloured = easel.Draw(view, Colouring::kSpeed, [&](Canvas& c) { c.DrawDisks(x, y, 5, values); });
-  EXPECT_EQ(Weigh(Crop(black, 320, 0, 320, 180)).area, 0);
-  const Image corner = Crop(coloured, 320, 0, 320, 180);
+  EXPECT_EQ(Weigh(Crop(black, 640, 0, 640, 360)).area, 0);
+  const Image corner = Crop(coloured, 640, 0, 640, 360);
   EXPECT_GT(Weigh(corner).area, 500);
 
   // The bar is the colour map, left to right: some row of pixels shows every colour in turn.

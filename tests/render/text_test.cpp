@@ -84,10 +84,10 @@ TEST(Text, StaysInTheWindowHoweverSmall) {
 
 TEST(Text, GrowsWithTheUiScale) {
   const auto line = [](Renderer& r) { r.Text().StatusLine("t = 1.00 s"); };
-  Easel easel(640, 480);
-  const Extent one = ExtentOf(easel.DrawInPixels(640, 480, line));
+  Easel easel(1280, 960);
+  const Extent one = ExtentOf(easel.DrawInPixels(1280, 960, line));
   easel.GetRenderer().SetUiScale(2);
-  const Extent two = ExtentOf(easel.DrawInPixels(640, 480, line));
+  const Extent two = ExtentOf(easel.DrawInPixels(1280, 960, line));
   EXPECT_NEAR(two.right - two.left, 2 * (one.right - one.left), 6);
   EXPECT_NEAR(two.bottom - two.top, 2 * (one.bottom - one.top), 2);
 }

@@ -34,8 +34,9 @@ TEST(Walls, HaveTheSameWidthInEveryDirection) {
     const Image image = easel.DrawInPixels(200, 200, [&](Canvas& c) {
       c.DrawWall(Vec2{100, 100} - half, Vec2{100, 100} + half);
     });
-    // 140 pixels long, half the width over at each end. Of an oblique edge the ink is a ramp, exact in the mean.
-    EXPECT_NEAR(Weigh(image).area / kWallInk, 3 * (140 + 3), 4) << degrees;
+    // 140 pixels long, half the width over at each end. The ink of an oblique edge is a ramp, whose sum over the pixels
+    // depends on where they cut it: at 45 degrees by 2 %.
+    EXPECT_NEAR(Weigh(image).area / kWallInk, 3 * (140 + 3), 0.02 * 3 * 143) << degrees;
   }
 }
 

@@ -1,4 +1,5 @@
-// Particles to try passes on: lattices, random clouds, clumps, coincident ones, of sizes that end blocks and vectors unevenly.
+// Particles to try passes on: lattices, random clouds, clumps, coincident ones, of sizes that end blocks and vectors
+// unevenly.
 #pragma once
 
 #include <span>
@@ -9,7 +10,8 @@
 
 namespace sph {
 
-/// Element i of every array belongs to the same particle. Masses differ, so that m_i and m_j cannot be mistaken for each other.
+/// Element i of every array belongs to the same particle. Masses differ, so that m_i and m_j cannot be mistaken for
+/// each other.
 struct Cloud {
   std::string name;
   std::vector<double> x, y, vx, vy, mass;

@@ -1,5 +1,6 @@
 // A toy star without damping: with P = k rho^2 and a constant h, eq. 10 is the gradient of an exact pair potential,
-// H = sum p^2/2m + k sum_ij m_i m_j W_ij + lambda/2 sum m x^2, so that energy, momenta and reversibility test the integrator alone.
+// H = sum p^2/2m + k sum_ij m_i m_j W_ij + lambda/2 sum m x^2, so that energy, momenta and reversibility test the
+// integrator alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -62,8 +63,9 @@ double EnergyError(double time_step) {
 TEST(LeapFrog, KeepsTheEnergyOfAnUndampedStarToSecondOrder) {
   const double coarse = EnergyError(0.008);
   const double fine = EnergyError(0.004);
-  EXPECT_LT(fine, 1e-4);                              // 1e-5 is measured with c dt/h of 0.3 (METHODS); ours is 0.04
-  EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.25);  // halving the step quarters the error; what is left is of fourth order
+  EXPECT_LT(fine, 1e-4);  // 1e-5 is measured with c dt/h of 0.3 (METHODS); ours is 0.04
+  EXPECT_NEAR(std::log2(coarse / fine), 2.0,
+              0.25);  // halving the step quarters the error; what is left is of fourth order
 }
 
 TEST(LeapFrog, RetracesItsStepsBackwards) {
@@ -78,7 +80,8 @@ TEST(LeapFrog, RetracesItsStepsBackwards) {
   for (std::size_t i = 0; i < p.Size(); ++i) {
     greatest = std::max(greatest, Length(p.Position(i) - Vec2{start.x[p.id[i]], start.y[p.id[i]]}));
   }
-  // Round-off, which particles that collide magnify: 1e-15 R is measured over half a period, 2e-13 R over two (METHODS).
+  // Round-off, which particles that collide magnify: 1e-15 R is measured over half a period, 2e-13 R over two
+  // (METHODS).
   EXPECT_LT(greatest, 1e-12 * kStar.radius);
 }
 
@@ -97,7 +100,8 @@ TEST(LeapFrog, KeepsAngularMomentumToRoundOff) {
 }
 
 TEST(LeapFrog, MovesTheStarsCentreAsItMovesASingleParticle) {
-  // Pressure conserves momentum and the central force is linear, so the centre of mass is an oscillator of its own (eq. 19).
+  // Pressure conserves momentum and the central force is linear, so the centre of mass is an oscillator of its own (eq.
+  // 19).
   GivenSystem star = Star(0.004, Start(0.3, 0));
   const Diagnostics d = Diagnose(star);
   Cloud centre;

@@ -21,8 +21,8 @@ IdealGas Example() {
   return {2000, 300};
 }
 
-/// Central differences with a step of 1e-5 rho: error 1e-10 f''' rho^2/6 and round-off 1e-11 f/(f' rho): together, for powers up
-/// to the seventh, below 1e-8 of (f + f' rho)/rho.
+/// Central differences with a step of 1e-5 rho: error 1e-10 f''' rho^2/6 and round-off 1e-11 f/(f' rho): together, for
+/// powers up to the seventh, below 1e-8 of (f + f' rho)/rho.
 constexpr double kStep = 1e-5;
 constexpr double kBound = 1e-8;
 

@@ -13,8 +13,8 @@ class GivenSystem : public ParticleSystemSPH {
     Reset();
   }
 
-  /// From here on the undamped leapfrog goes back the way it came: the velocity half a step "before" is minus the one that would
-  /// have come half a step after.
+  /// From here on the undamped leapfrog goes back the way it came: the velocity half a step "before" is minus the one
+  /// that would have come half a step after.
   void TurnRound() {
     ComputeAccelerations();
     Particles& p = particles_;

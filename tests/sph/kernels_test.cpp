@@ -11,8 +11,9 @@ namespace sph {
 namespace {
 
 using std::numbers::pi;
-constexpr double kH = 0.34;           // [m], a value at which no power of h is near 1
-constexpr double kQuadrature = 1e-11;  // the rule is exact for the pieces' polynomials; what is cut off near r = 0 is below 1e-12
+constexpr double kH = 0.34;  // [m], a value at which no power of h is near 1
+constexpr double kQuadrature =
+    1e-11;  // the rule is exact for the pieces' polynomials; what is cut off near r = 0 is below 1e-12
 
 template <typename Kernel>
 double Integral(const Kernel& kernel, int dimension) {
@@ -26,7 +27,8 @@ std::vector<double> Distances(double support) {
   return distances;
 }
 
-/// W'(r) by a central difference; its error is delta^2 W'''/6 and round-off eps W/delta: together below 1e-9 of W(0)/h here.
+/// W'(r) by a central difference; its error is delta^2 W'''/6 and round-off eps W/delta: together below 1e-9 of W(0)/h
+/// here.
 template <typename Kernel>
 double Slope(const Kernel& kernel, double r) {
   const double delta = 1e-5 * kH;
@@ -47,7 +49,8 @@ TEST(CubicSpline, WithTheConstantThatThePaperPrintsIntegratesToThree) {
 }
 
 TEST(CubicSpline, OnASquareGridOfPointsSumsToOne) {
-  // The plane's integral without polar coordinates: sums over a grid of pitch p miss a smooth function by about p^5 here.
+  // The plane's integral without polar coordinates: sums over a grid of pitch p miss a smooth function by about p^5
+  // here.
   const CubicSpline<2> kernel(kH);
   const double pitch = kH / 50;
   double sum = 0;
@@ -72,7 +75,8 @@ TYPED_TEST(CubicSplineInEveryDimension, GradientIsNeverPositiveAndFiniteInTheMid
   const TypeParam kernel(kH);
   for (int k = 0; k <= 300; ++k) EXPECT_LE(kernel.Gradient(0.01 * k * kH), 0) << k;
   EXPECT_DOUBLE_EQ(kernel.Gradient(0), -12 * (kernel.Value(0) / 4) / (kH * kH));
-  EXPECT_NEAR(kernel.Gradient(1e-9 * kH), kernel.Gradient(0), 1e-8 * std::abs(kernel.Gradient(0)));  // g changes by 9 q of 12
+  EXPECT_NEAR(kernel.Gradient(1e-9 * kH), kernel.Gradient(0),
+              1e-8 * std::abs(kernel.Gradient(0)));  // g changes by 9 q of 12
 }
 
 TYPED_TEST(CubicSplineInEveryDimension, EndsAtTwiceH) {
@@ -114,7 +118,8 @@ TEST(Spiky, RepelsMostWhereParticlesMeetAndEndsAtH) {
   EXPECT_EQ(kernel.Value(2 * kH), 0);
 }
 
-/// For a W that is 0 at `radius`, integration by parts turns the integral of W over the plane into -pi times that of r^2 W'.
+/// For a W that is 0 at `radius`, integration by parts turns the integral of W over the plane into -pi times that of
+/// r^2 W'.
 template <typename F>
 double IntegralOfTheKernelWithSlope(F slope, double radius) {
   return IntegralOverAll([&](double r) { return -0.5 * r * slope(r); }, 2, radius);
@@ -125,21 +130,24 @@ TEST(Spiky, TheTutorialsGradientBelongsToNoNormalisedKernel) {
     const Spiky kernel(h);
     EXPECT_NEAR(IntegralOfTheKernelWithSlope([&](double r) { return kernel.Slope(r); }, h), 1, kQuadrature);
     const auto published = [h](double r) { return -10 / (pi * std::pow(h, 5)) * std::pow(h - r, 3); };
-    // h/6: not 1, and not even a number without a unit; 2.7 in the tutorial's pixels, 0.027 in the same scene in metres.
+    // h/6: not 1, and not even a number without a unit; 2.7 in the tutorial's pixels, 0.027 in the same scene in
+    // metres.
     EXPECT_NEAR(IntegralOfTheKernelWithSlope(published, h), h / 6, kQuadrature * h);
   }
 }
 
 TEST(ViscosityKernel, LaplacianInThePlaneIsThatOfItsValue) {
-  // By the five-point formula around (r cos a, r sin a); its error is delta^2/12 times fourth derivatives, which the logarithm
-  // makes as large as 6 c h^3/(6 r^4): with delta = r/1000 below 1e-6 of the Laplacian at r = h/20, and less further out.
+  // By the five-point formula around (r cos a, r sin a); its error is delta^2/12 times fourth derivatives, which the
+  // logarithm makes as large as 6 c h^3/(6 r^4): with delta = r/1000 below 1e-6 of the Laplacian at r = h/20, and less
+  // further out.
   const ViscosityKernel kernel(kH);
   for (const double r : Distances(kH)) {
     if (r < kH / 20 || r > 0.99 * kH) continue;
     const double delta = 1e-3 * r;
     const double x = r * std::cos(0.7), y = r * std::sin(0.7);
     const auto at = [&](double dx, double dy) { return kernel.Value(std::hypot(x + dx, y + dy)); };
-    const double laplacian = (at(delta, 0) + at(-delta, 0) + at(0, delta) + at(0, -delta) - 4 * at(0, 0)) / (delta * delta);
+    const double laplacian =
+        (at(delta, 0) + at(-delta, 0) + at(0, delta) + at(0, -delta) - 4 * at(0, 0)) / (delta * delta);
     EXPECT_NEAR(laplacian, kernel.Laplacian(r), 2e-3 * kernel.Laplacian(0)) << r / kH;
   }
 }
@@ -147,7 +155,8 @@ TEST(ViscosityKernel, LaplacianInThePlaneIsThatOfItsValue) {
 TEST(ViscosityKernel, MeetsZeroWithValueAndSlopeAtH) {
   const ViscosityKernel kernel(kH);
   const double scale = kernel.Value(kH / 2);
-  EXPECT_NEAR(kernel.Value(kH * (1 - 1e-6)), 0, 1e-11 * scale);  // a double root: (1e-6)^2 times a constant, and round-off
+  EXPECT_NEAR(kernel.Value(kH * (1 - 1e-6)), 0,
+              1e-11 * scale);  // a double root: (1e-6)^2 times a constant, and round-off
   EXPECT_NEAR(Slope(kernel, kH * (1 - 1e-4)), 0, 1e-3 * scale / kH);
   EXPECT_EQ(kernel.Laplacian(kH), 0);
   EXPECT_EQ(kernel.Value(2 * kH), 0);

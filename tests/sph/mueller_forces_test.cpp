@@ -23,7 +23,8 @@ struct Setting {
   template <typename Slope>
   void Add(const Slope& slope, double mu) {
     const MuellerArrays arrays{cloud.x, cloud.y, cloud.vx, cloud.vy, cloud.mass, density, pressure, ax, ay};
-    for (const NeighbourBlock& block : found.blocks) AddMuellerForces(block, slope, ViscosityKernel(kCloudH), mu, arrays);
+    for (const NeighbourBlock& block : found.blocks)
+      AddMuellerForces(block, slope, ViscosityKernel(kCloudH), mu, arrays);
   }
 
   Neighbourhood found;

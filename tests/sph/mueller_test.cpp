@@ -12,7 +12,6 @@ namespace {
 constexpr double kMu = 0.4;
 const IdealGas kGas{2.0, 1.0};
 
-
 /// 300 particles at random, so that densities and pressures are all different.
 struct Fluid {
   Fluid(bool published, Vec2 gravity) : system(Base(gravity), {2 * kCloudH, kGas, kMu, published}) { system.Reset(); }

@@ -27,7 +27,8 @@ TEST(NeighbourBlock, HoldsTheSameSetAsAllPairs) {
           if (j != i && dx * dx + dy * dy < kReach * kReach) expected.insert(j);
         }
         const auto numbers = block.Numbers(k);
-        ASSERT_EQ(std::set<std::uint32_t>(numbers.begin(), numbers.end()), expected) << cloud.name << ", particle " << i;
+        ASSERT_EQ(std::set<std::uint32_t>(numbers.begin(), numbers.end()), expected)
+            << cloud.name << ", particle " << i;
         ASSERT_EQ(numbers.size(), expected.size()) << "one twice: " << cloud.name << ", particle " << i;
       }
     }
@@ -44,7 +45,8 @@ TEST(NeighbourBlock, KeepsEachNeighboursDistance) {
         for (std::size_t n = 0; n < block.Numbers(k).size(); ++n) {
           const std::uint32_t j = block.Numbers(k)[n];
           const double r = std::hypot(cloud.x[i] - cloud.x[j], cloud.y[i] - cloud.y[j]);
-          ASSERT_NEAR(block.Distances(k)[n], r, 4e-16 * r) << cloud.name;  // two roundings of the root of a sum of squares
+          ASSERT_NEAR(block.Distances(k)[n], r, 4e-16 * r)
+              << cloud.name;  // two roundings of the root of a sum of squares
         }
       }
     }

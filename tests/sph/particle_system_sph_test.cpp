@@ -43,7 +43,8 @@ TEST(ParticleSystemSPH, AccelerationIsPressureGravityCentralForceAndDamping) {
   base.gravity = {0.3, -9.8};
   base.central_force = 1.7;
   base.motion_damping = 0.9;
-  for (const Integration integration : {Integration::kLeapFrog, Integration::kLeapFrogPublished, Integration::kSymplecticEuler}) {
+  for (const Integration integration :
+       {Integration::kLeapFrog, Integration::kLeapFrogPublished, Integration::kSymplecticEuler}) {
     base.integration = integration;
     // The second-order leapfrog has the damping in its step instead.
     const double nu = integration == Integration::kLeapFrog ? 0 : base.motion_damping;
@@ -54,7 +55,8 @@ TEST(ParticleSystemSPH, AccelerationIsPressureGravityCentralForceAndDamping) {
       const auto plain = PlainPressureAcceleration(CloudOf(system), system.Density(), system.Pressure(), kCloudH);
       for (std::size_t i = 0; i < p.Size(); ++i) {
         const Vec2 expected = plain[i].value + base.gravity - 1.7 * p.Position(i) - nu * p.Velocity(i);
-        const double round_off = plain[i].RoundOff() + 1e-15 * (20 + Length(p.Position(i)));  // a few roundings of what is added
+        const double round_off =
+            plain[i].RoundOff() + 1e-15 * (20 + Length(p.Position(i)));  // a few roundings of what is added
         ASSERT_NEAR(p.ax[i], expected.x, round_off) << cloud.name;
         ASSERT_NEAR(p.ay[i], expected.y, round_off) << cloud.name;
       }
@@ -89,7 +91,8 @@ TEST(ParticleSystemSPH, LookingAtTheFieldsDoesNotChangeTheRun) {
 
 TEST(ParticleSystemSPH, FieldsAreAsLongAsThereAreParticlesAtAnyTime) {
   // Who draws between steps reads State(), Density() and Pressure() side by side.
-  for (const Integration integration : {Integration::kLeapFrog, Integration::kLeapFrogPublished, Integration::kSymplecticEuler}) {
+  for (const Integration integration :
+       {Integration::kLeapFrog, Integration::kLeapFrogPublished, Integration::kSymplecticEuler}) {
     Parameters base = SmallBlock();
     base.integration = integration;
     ParticleSystemSPH system(base, Sph());
@@ -138,7 +141,8 @@ TEST(ParticleSystemSPH, InternalEnergyIsTheParticlesSum) {
   const Cloud cloud = AllClouds().back();
   const GivenSystem system(NoForces(), Sph(), cloud);
   double sum = 0;
-  for (std::size_t i = 0; i < cloud.Size(); ++i) sum += system.State().mass[i] * kWater.InternalEnergy(system.Density()[i]);
+  for (std::size_t i = 0; i < cloud.Size(); ++i)
+    sum += system.State().mass[i] * kWater.InternalEnergy(system.Density()[i]);
   EXPECT_DOUBLE_EQ(system.InternalEnergy(), sum);
 }
 

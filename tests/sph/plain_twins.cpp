@@ -84,15 +84,16 @@ std::vector<PlainSum> PlainPressureAcceleration(const Cloud& cloud, std::span<co
   });
 }
 
-std::vector<PlainSum> PlainMuellerForces(const Cloud& cloud, std::span<const double> density, std::span<const double> pressure,
-                                         double h, double mu, bool published) {
+std::vector<PlainSum> PlainMuellerForces(const Cloud& cloud, std::span<const double> density,
+                                         std::span<const double> pressure, double h, double mu, bool published) {
   const double h5 = std::pow(h, 5);
   return SumOverPairs(cloud, h, false, [&](std::size_t i, std::size_t j) {
     const double r = Distance(cloud, i, j);
     const double mean_pressure = (pressure[i] + pressure[j]) / 2;
     const double share = cloud.mass[j] / density[j] / density[i];
     const Vec2 from_j = Direction(cloud, i, j);
-    // Right: -grad_i W along from_j. The tutorial: its r_ij is x_j - x_i, and the force is -r_ij/r p SPIKY_GRAD (h - r)^3.
+    // Right: -grad_i W along from_j. The tutorial: its r_ij is x_j - x_i, and the force is -r_ij/r p SPIKY_GRAD (h -
+    // r)^3.
     const double slope = published ? -10 / (pi * h5) * std::pow(h - r, 3) : -30 / (pi * h5) * std::pow(h - r, 2);
     const Vec2 direction = published ? -1 * from_j : from_j;
     const Vec2 towards_v{cloud.vx[j] - cloud.vx[i], cloud.vy[j] - cloud.vy[i]};

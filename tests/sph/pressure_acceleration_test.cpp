@@ -103,7 +103,8 @@ TEST(PressureAcceleration, IsZeroBetweenCoincidentParticles) {
 }
 
 TEST(PressureAcceleration, IsThatOfTheExactPairPotentialForATwoParticleGas) {
-  // With P = k rho^2 eq. 10 is 2k sum m_j grad W_ij, the gradient of H = k sum_ij m_i m_j W_ij: differences of H give the force.
+  // With P = k rho^2 eq. 10 is 2k sum m_j grad W_ij, the gradient of H = k sum_ij m_i m_j W_ij: differences of H give
+  // the force.
   constexpr double kGas = 0.1;
   const double m[2] = {0.5, 1.5};
   const CubicSpline<2> kernel(kCloudH);
@@ -118,7 +119,8 @@ TEST(PressureAcceleration, IsThatOfTheExactPairPotentialForATwoParticleGas) {
     s.Add();
     const double delta = 1e-5 * kCloudH;
     const double force_on_second = -(potential(r + delta) - potential(r - delta)) / (2 * delta);
-    EXPECT_NEAR(m[1] * s.ax[1], force_on_second, 1e-9 * potential(0) / kCloudH) << r;  // the difference's error, as in kernels_test
+    EXPECT_NEAR(m[1] * s.ax[1], force_on_second, 1e-9 * potential(0) / kCloudH)
+        << r;  // the difference's error, as in kernels_test
   }
 }
 

@@ -24,12 +24,15 @@ double Integral(F f, double a, double b, int panels = 1) {
   return sum;
 }
 
-/// Integral of a function of the distance r over the line (dimension 1), the plane (2) or space (3), out to `radius`: panels end
-/// at the half and the whole of `radius`, where kernels have their knots, and shrink towards r = 0 for the sake of logarithms.
+/// Integral of a function of the distance r over the line (dimension 1), the plane (2) or space (3), out to `radius`:
+/// panels end at the half and the whole of `radius`, where kernels have their knots, and shrink towards r = 0 for the
+/// sake of logarithms.
 template <typename F>
 double IntegralOverAll(F f, int dimension, double radius) {
   using std::numbers::pi;
-  const auto shell = [&](double r) { return f(r) * (dimension == 1 ? 2 : dimension == 2 ? 2 * pi * r : 4 * pi * r * r); };
+  const auto shell = [&](double r) {
+    return f(r) * (dimension == 1 ? 2 : dimension == 2 ? 2 * pi * r : 4 * pi * r * r);
+  };
   double sum = 0;
   for (double outer = radius; outer > 1e-12 * radius; outer /= 2) sum += Integral(shell, outer / 2, outer, 4);
   return sum;

@@ -1,0 +1,166 @@
+// Blocks start with the number asked for, inside their region, on sites that do not touch.
+#include "particles/placement.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sph {
+namespace {
+
+const Box kBox{-0.95, -0.95, -0.35, 0.0};
+
+Block InABox(std::size_t particles, Arrangement arrange) { return {particles, {kBox, {}, 0}, arrange, 0, 0, {}}; }
+Block InADisk(std::size_t particles, Arrangement arrange) {
+  return {particles, {{}, {0.2, 0.1}, 0.75}, arrange, 0, 0, {}};
+}
+
+std::vector<Vec2> PlaceWithSeed(const Block& block, std::uint64_t seed) {
+  Random random(seed);
+  return Place(block, random);
+}
+
+double LeastDistance(const std::vector<Vec2>& places) {
+  double least = 1e300;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) least = std::min(least, Length(places[i] - places[j]));
+  }
+  return least;
+}
+
+TEST(Region, AreaBoundsAndContainsAgreeWithCounting) {
+  const Region disk{{}, {0.2, 0.1}, 0.75};
+  EXPECT_DOUBLE_EQ(disk.Area(), std::numbers::pi * 0.75 * 0.75);
+  EXPECT_EQ(disk.Bounds(), (Box{0.2 - 0.75, 0.1 - 0.75, 0.2 + 0.75, 0.1 + 0.75}));
+  EXPECT_TRUE(disk.Contains({0.2, 0.85}));
+  EXPECT_FALSE(disk.Contains({0.2 + 0.6, 0.1 + 0.6}));  // inside its bounds, outside the circle
+  const Region box{kBox, {}, 0};
+  EXPECT_DOUBLE_EQ(box.Area(), 0.57);
+  EXPECT_TRUE(box.Contains({-0.95, 0.0}));
+  EXPECT_FALSE(box.Contains({-0.95, 0.1}));
+}
+
+TEST(Spacing, IsTheSideOfTheSquareThatAParticleFills) {
+  EXPECT_DOUBLE_EQ(Spacing(InABox(57, Arrangement::kRandom)), 0.1);
+  Block given = InABox(57, Arrangement::kLattice);
+  given.spacing = 0.02;
+  EXPECT_EQ(Spacing(given), 0.02);
+}
+
+RC_GTEST_PROP(Place, GivesARandomBlockItsNumberInsideItsRegion, (std::uint64_t seed)) {
+  const auto n = *rc::gen::inRange<std::size_t>(0, 500);
+  for (const Block& block : {InABox(n, Arrangement::kRandom), InADisk(n, Arrangement::kRandom)}) {
+    const auto places = PlaceWithSeed(block, seed);
+    RC_ASSERT(places.size() == n);
+    for (const Vec2 place : places) RC_ASSERT(block.region.Contains(place));
+  }
+}
+
+TEST(Place, RandomStartsFollowTheSeed) {
+  const Block block = InADisk(50, Arrangement::kRandom);
+  EXPECT_EQ(PlaceWithSeed(block, 1), PlaceWithSeed(block, 1));
+  EXPECT_NE(PlaceWithSeed(block, 1), PlaceWithSeed(block, 2));
+}
+
+TEST(Place, RandomStartsAreUniformOverTheDisk) {
+  // The share within half the radius is 1/4; four standard deviations of a share of 20 000.
+  const auto places = PlaceWithSeed(InADisk(20000, Arrangement::kRandom), 3);
+  const auto inner = std::count_if(places.begin(), places.end(), [](Vec2 p) {
+    return Length(p - Vec2{0.2, 0.1}) < 0.375;
+  });
+  EXPECT_NEAR(static_cast<double>(inner) / 20000, 0.25, 4 * std::sqrt(0.25 * 0.75 / 20000));
+}
+
+RC_GTEST_PROP(Place, GivesALatticeInABoxAnyNumberOnSitesASpacingApart, ()) {
+  const auto n = *rc::gen::inRange<std::size_t>(0, 400);
+  const Block block = InABox(n, Arrangement::kLattice);
+  const auto places = PlaceWithSeed(block, 1);
+  RC_ASSERT(places.size() == n);
+  if (n > 1) RC_ASSERT(LeastDistance(places) > Spacing(block) * (1 - 1e-9));
+  for (const Vec2 place : places) {
+    RC_ASSERT(place.x > kBox.x0 && place.x < kBox.x1 && place.y > kBox.y0);
+    // The last, incomplete rows may be above the box: by the columns that do not fit into its width, no more than one
+    // in two.
+    RC_ASSERT(place.y < kBox.y1 + kBox.Height());
+  }
+}
+
+TEST(Place, LatticeThatFitsFillsItsBoxExactly) {
+  Block block = InABox(60, Arrangement::kLattice);
+  block.region.box = {0, 0, 1, 0.6};  // 10 x 6 sites of spacing 0.1
+  const auto places = PlaceWithSeed(block, 1);
+  ASSERT_EQ(places.size(), 60u);
+  EXPECT_NEAR(places.front().x, 0.05, 1e-15);
+  EXPECT_NEAR(places.front().y, 0.05, 1e-15);
+  EXPECT_NEAR(places.back().x, 0.95, 1e-15);
+  EXPECT_NEAR(places.back().y, 0.55, 1e-15);
+}
+
+TEST(Place, LatticeGoesOnAboveItsBoxWhenItsRowsAreFull) {
+  Block block = InABox(65, Arrangement::kLattice);
+  block.region.box = {0, 0, 1, 0.6};
+  block.spacing = 0.1;
+  const auto places = PlaceWithSeed(block, 1);
+  ASSERT_EQ(places.size(), 65u);
+  EXPECT_NEAR(places.back().y, 0.65, 1e-12);
+}
+
+TEST(Place, LatticeOfOneParticleIsInsideEvenATallBox) {
+  Block block = InABox(1, Arrangement::kLattice);
+  block.region.box = {0, 0, 0.1, 10};  // the spacing, 1, is ten times the width
+  const auto places = PlaceWithSeed(block, 1);
+  ASSERT_EQ(places.size(), 1u);
+  EXPECT_TRUE(block.region.Contains(places[0]));
+}
+
+TEST(Place, LatticeInADiskStaysInsideAndIsAsManyAsItsAreaHolds) {
+  const Block block = InADisk(1000, Arrangement::kLattice);
+  const auto places = PlaceWithSeed(block, 1);
+  for (const Vec2 place : places) EXPECT_TRUE(block.region.Contains(place));
+  // Sites in a circle of radius R/dx = 17.8: the area within a boundary's error of a few times the root of the radius.
+  EXPECT_NEAR(static_cast<double>(places.size()), 1000, 20);
+  EXPECT_LE(places.size(), 1000u);
+}
+
+TEST(Place, JitterMovesToTheRightByLessThanItself) {
+  Block lattice = InABox(100, Arrangement::kLattice);
+  Block jittered = InABox(100, Arrangement::kJittered);
+  jittered.jitter = 0.01;
+  const auto sites = PlaceWithSeed(lattice, 1);
+  const auto places = PlaceWithSeed(jittered, 1);
+  ASSERT_EQ(places.size(), sites.size());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    EXPECT_EQ(places[k].y, sites[k].y);
+    EXPECT_GE(places[k].x, sites[k].x);
+    EXPECT_LT(places[k].x, sites[k].x + 0.01);
+  }
+  EXPECT_NE(PlaceWithSeed(jittered, 2), places);
+}
+
+TEST(PlaceAround, TakesTheLowestFreeSitesOfTheBlocksColumn) {
+  Block block = InABox(4, Arrangement::kLattice);
+  block.region.box = {0, 0, 0.2, 0.2};
+  block.spacing = 0.1;
+  const auto lowest_row_taken = [](Vec2 site) { return site.y < 0.1; };
+  const auto places = PlaceAround(block, {-1, -1, 1, 1}, lowest_row_taken);
+  ASSERT_EQ(places.size(), 4u);
+  for (const Vec2 place : places) EXPECT_TRUE(place.x > 0 && place.x < 0.2 && place.y > 0.1 && place.y < 0.3);
+}
+
+TEST(PlaceAround, GoesBesideWhenItsColumnIsFullAndGivesUpWhenTheRoomIs) {
+  Block block = InABox(4, Arrangement::kLattice);
+  block.region.box = {0, 0, 0.2, 0.2};
+  block.spacing = 0.1;
+  const auto middle_taken = [](Vec2 site) { return site.x > 0 && site.x < 0.2; };
+  const auto beside = PlaceAround(block, {-1, 0, 1, 0.25}, middle_taken);
+  ASSERT_EQ(beside.size(), 4u);
+  for (const Vec2 place : beside) EXPECT_TRUE(place.x > 0.2 && place.x < 0.4);
+  EXPECT_TRUE(PlaceAround(block, {-0.1, 0, 0.3, 0.25}, middle_taken).empty()) << "no whole block beside it";
+  EXPECT_TRUE(PlaceAround(block, {-1, 0, 1, 0.15}, [](Vec2) { return false; }).empty()) << "one row is not enough";
+}
+
+}  // namespace
+}  // namespace sph

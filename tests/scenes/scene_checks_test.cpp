@@ -1,0 +1,56 @@
+// What contradicts itself across keys is refused before anything runs.
+#include "scenes/scene_checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scenes/scene_file.hpp"
+#include "scenes/scene_text.hpp"
+
+namespace sph {
+namespace {
+
+TEST(SceneChecks, RefuseAFluidBehindAWallWithBothRectangles) {
+  EXPECT_TRUE(Has(Refusal(Changed("at = -0.1", "at = 0.3")), {"FILE", "behind a wall", "[0, 0, 1, 1]", "0.3"}));
+  EXPECT_EQ(Refusal(Changed("at = -0.1", "at = 0.0")), "accepted") << "fluid may touch the wall";
+}
+
+TEST(SceneChecks, RefuseADiskThatReachesBehindAWall) {
+  const std::string disk = "region = { disk = { centre = [0.5, 0.5], radius = 0.7 } }";
+  EXPECT_TRUE(Has(Refusal(Changed("region = { box = [0.0, 0.0, 1.0, 1.0] }", disk)), {"behind a wall"}));
+}
+
+TEST(SceneChecks, RefuseAFluidWithoutARegionOrEquationOfState) {
+  EXPECT_TRUE(Has(Refusal(Changed("region = { box = [0.0, 0.0, 1.0, 1.0] }\n", "")), {"FILE", "fluid.region.box"}));
+  EXPECT_TRUE(Has(Refusal(Changed("tait = { k = 0.5, rho0 = 1.0 }\n", "")), {"FILE", "equation_of_state.polytrope"}));
+  EXPECT_TRUE(Has(Refusal(Changed(", rho0 = 1.0", "")), {"FILE", "tait = { k, rho0 }"}));
+}
+
+TEST(SceneChecks, RefuseHalfAStarAndAStarOfAnotherGas) {
+  EXPECT_TRUE(
+      Has(Refusal(kScene, {"equation_of_state.polytrope.k=1", "forces.star.mass=1"}), {"both mass and radius"}));
+  EXPECT_TRUE(
+      Has(Refusal(kScene, {"forces.star={mass=1,radius=1}"}), {"forces.star goes with equation_of_state.polytrope"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"reference=static-star"}), {"needs forces.star"}));
+}
+
+TEST(SceneChecks, RefuseControlsOfWhatIsNotThere) {
+  EXPECT_TRUE(
+      Has(Refusal(kScene, {"arrows={wall='flor',speed=1}"}), {"arrows.wall", "'flor'", "Did you mean 'floor'?"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"arrows.wall=floor"}), {"needs arrows.speed"}));
+  const auto with = [](const std::string& action) {
+    return Refusal(kScene + "[[key]]\npress = \"d\"\ndo = [ " + action + " ]\n");
+  };
+  EXPECT_TRUE(Has(with("{ move_wall = \"dam\", to = 0 }"), {"key 'd'", "'dam'"}));
+  EXPECT_TRUE(Has(with("{ set = \"forces.damp\", to = 0 }"), {"'forces.damp'", "is not a scene key"}));
+  EXPECT_TRUE(Has(with("{ set = \"fluid.mass\", to = 1 }"), {"'fluid.mass'", "cannot be set while the scene runs"}));
+  EXPECT_TRUE(Has(with("{ set = \"forces.damping\", to = -1 }"), {"forces.damping = -1", ">= 0"}));
+}
+
+TEST(SceneChecks, RefuseAKeyThatWouldLeaveHalfAnEquationOfState) {
+  const std::string text =
+      kScene + "[[key]]\npress = \"d\"\ndo = [ { set = \"equation_of_state.ideal_gas.k\", to = 2 } ]\n";
+  EXPECT_TRUE(Has(Refusal(text), {"key 'd'", "ideal_gas = { k, rho0 }"}));
+}
+
+}  // namespace
+}  // namespace sph

@@ -1,0 +1,111 @@
+// Every scene key goes to its own place, takes its own kind of value, and can be set from the command line.
+#include "scenes/scene_keys.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+
+#include "scenes/scene_text.hpp"
+
+namespace sph {
+namespace {
+
+struct Example {
+  std::string setting;                        ///< key=value
+  std::function<bool(const Scene&)> arrives;  ///< whether the scene says so
+};
+
+/// The scene's equation of state; one without numbers if it is of another type.
+template <typename Equation>
+Equation As(const Scene& s) {
+  const auto* equation = std::get_if<Equation>(&s.sph.equation_of_state);
+  return equation != nullptr ? *equation : Equation{};
+}
+
+// clang-format off
+const std::vector<Example> kExamples = {
+    {"title=T", [](const Scene& s) { return s.title == "T"; }},
+    {"about=A", [](const Scene& s) { return s.about == "A"; }},
+    {"solver=mueller", [](const Scene& s) { return s.solver == "mueller"; }},
+    {"seed=9223372036854775807", [](const Scene& s) { return s.base.seed == 9223372036854775807ULL; }},
+    {"until=2", [](const Scene& s) { return s.until == 2; }},
+    {"view=[0,1,2,3]", [](const Scene& s) { return s.view == Box{0, 1, 2, 3}; }},
+    {"reference=none", [](const Scene& s) { return s.reference == Reference::kNone; }},
+    {"fluid.particles=3", [](const Scene& s) { return s.base.fluid.particles == 3; }},
+    {"fluid.mass=4", [](const Scene& s) { return s.base.particle_mass == 4; }},
+    {"fluid.region.box=[0,0,2,3]", [](const Scene& s) { return s.base.fluid.region.box == Box{0, 0, 2, 3}; }},
+    {"fluid.region.disk.centre=[7,8]", [](const Scene& s) { return s.base.fluid.region.centre == Vec2{7, 8}; }},
+    {"fluid.region.disk.radius=0.1", [](const Scene& s) { return s.base.fluid.region.radius == 0.1; }},
+    {"fluid.arrange=jittered", [](const Scene& s) { return s.base.fluid.arrange == Arrangement::kJittered; }},
+    {"fluid.spacing=0.3", [](const Scene& s) { return s.base.fluid.spacing == 0.3; }},
+    {"fluid.jitter=0.4", [](const Scene& s) { return s.base.fluid.jitter == 0.4; }},
+    {"fluid.velocity=[1,-2]", [](const Scene& s) { return s.base.fluid.velocity == Vec2{1, -2}; }},
+    {"fluid.limit=55", [](const Scene& s) { return s.base.particle_limit == 55; }},
+    {"drop.particles=6", [](const Scene& s) { return s.base.drop.particles == 6; }},
+    {"drop.box=[1,2,3,4]", [](const Scene& s) { return s.base.drop.region.box == Box{1, 2, 3, 4}; }},
+    {"drop.spacing=0.7", [](const Scene& s) { return s.base.drop.spacing == 0.7; }},
+    {"drop.velocity=[3,4]", [](const Scene& s) { return s.base.drop.velocity == Vec2{3, 4}; }},
+    {"method.smoothing_length=0.8", [](const Scene& s) { return s.sph.smoothing_length == 0.8; }},
+    {"method.time_step=0.9", [](const Scene& s) { return s.base.time_step == 0.9; }},
+    {"method.integration=leapfrog-published", [](const Scene& s) { return s.base.integration == Integration::kLeapFrogPublished; }},
+    {"method.integration=symplectic-euler", [](const Scene& s) { return s.base.integration == Integration::kSymplecticEuler; }},
+    {"method.form=published", [](const Scene& s) { return s.sph.mueller_published; }},
+    {"equation_of_state.polytrope.k=1.1", [](const Scene& s) { return As<Polytrope>(s).k == 1.1; }},
+    {"equation_of_state.tait.k=1.2", [](const Scene& s) { return As<Tait>(s).k == 1.2 && As<Tait>(s).rho0 == 1; }},
+    {"equation_of_state.tait.rho0=1.3", [](const Scene& s) { return As<Tait>(s).rho0 == 1.3 && As<Tait>(s).k == 0.5; }},
+    {"equation_of_state.tait.exponent=3", [](const Scene& s) { return As<Tait>(s).exponent == 3; }},
+    {"equation_of_state.ideal_gas={k=1.4,rho0=1.5}", [](const Scene& s) { return As<IdealGas>(s).k == 1.4 && As<IdealGas>(s).rho0 == 1.5; }},
+    {"forces.gravity=[1.6,1.7]", [](const Scene& s) { return s.base.gravity == Vec2{1.6, 1.7}; }},
+    {"forces.central=-1.8", [](const Scene& s) { return s.base.central_force == -1.8; }},
+    {"forces.damping=1.9", [](const Scene& s) { return s.base.motion_damping == 1.9; }},
+    {"forces.viscosity=2.1", [](const Scene& s) { return s.sph.viscosity == 2.1; }},
+    {"walls.kind=reflect", [](const Scene& s) { return s.base.wall.kind == WallKind::kReflect; }},
+    {"walls.stiffness=2.2", [](const Scene& s) { return s.base.wall.stiffness == 2.2; }},
+    {"walls.damping=2.3", [](const Scene& s) { return s.base.wall.damping == 2.3; }},
+    {"walls.restitution=0.25", [](const Scene& s) { return s.base.wall.restitution == 0.25; }},
+    {"walls.scaling=published", [](const Scene& s) { return s.wall_scaling == WallScaling::kPublished; }},
+    {"arrows={wall='floor',speed=2.4}", [](const Scene& s) { return s.arrow_wall == "floor" && s.arrow_speed == 2.4; }},
+};
+// clang-format on
+
+TEST(SceneKeys, GoEachToTheirOwnPlace) {
+  const Scene before = SceneFrom(kScene);
+  for (const Example& example : kExamples) {
+    if (example.setting != "reference=none")
+      EXPECT_FALSE(example.arrives(before)) << example.setting << " changes nothing";
+    EXPECT_TRUE(example.arrives(SceneFrom(kScene, {example.setting}))) << example.setting;
+  }
+}
+
+TEST(SceneKeys, OfAStarGoTogether) {
+  const std::vector<std::string> star = {"equation_of_state.polytrope.k=0.1", "forces.star.mass=2",
+                                         "forces.star.radius=0.75"};
+  EXPECT_EQ(SceneFrom(kScene, star).star->mass, 2);
+  EXPECT_EQ(SceneFrom(kScene, star).star->radius, 0.75);
+}
+
+TEST(SceneKeys, AllRefuseAValueOfNoKnownKind) {
+  for (const SceneKey& key : AllSceneKeys()) {
+    EXPECT_TRUE(Has(Refusal(kScene, {key.name + "=[true]"}), {"--set: " + key.name + " = ", "it takes"})) << key.name;
+  }
+}
+
+TEST(SceneKeys, AreAllDifferentFoundByNameAndExplained) {
+  std::set<std::string> names;
+  for (const SceneKey& key : AllSceneKeys()) {
+    EXPECT_TRUE(names.insert(key.name).second) << key.name;
+    EXPECT_EQ(FindSceneKey(key.name), &key);
+    EXPECT_FALSE(key.what.empty()) << key.name;
+  }
+  EXPECT_EQ(FindSceneKey("fluid"), nullptr) << "a table is not a key";
+}
+
+TEST(SceneKeys, NoneIsThePrefixOfAnotherSoThatATableIsNeverTakenForAValue) {
+  for (const SceneKey& key : AllSceneKeys()) {
+    for (const SceneKey& other : AllSceneKeys()) EXPECT_FALSE(other.name.starts_with(key.name + ".")) << other.name;
+  }
+}
+
+}  // namespace
+}  // namespace sph

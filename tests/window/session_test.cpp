@@ -1,0 +1,80 @@
+// What a person at the keyboard has in hand: requests kept and dropped, reasons given, no state left behind.
+#include "window/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include "io/trouble.hpp"
+#include "window/sessions.hpp"
+
+namespace sph {
+namespace {
+
+TEST(Session, StartsAsTheRequestSays) {
+  SceneRequest request;
+  request.scene = "toy-star";
+  request.particles = 250;
+  const Session session(request);
+  EXPECT_EQ(session.CurrentScene().name, "toy-star");
+  EXPECT_EQ(session.System().State().Size(), 250U);
+  EXPECT_FALSE(session.paused);
+  EXPECT_EQ(session.System().Steps(), 0);
+}
+
+TEST(Session, RefusesASceneThatDoesNotExist) {
+  SceneRequest request;
+  request.scene = "dam-brake";
+  EXPECT_TRUE(Complains<UsageError>([&] { Session session(request); }, {"dam-brake", "dam-break"}));
+}
+
+TEST(Session, TheNextSceneHasItsOwnNumberOfParticlesAndTheFirstOnesSeed) {
+  SceneRequest request;
+  request.particles = 50;
+  request.seed = 7;
+  Session session(request);
+  session.GoToNextScene(1);
+  EXPECT_NE(session.System().State().Size(), 50U);
+  EXPECT_EQ(session.System().parameters.seed, 7U);
+}
+
+TEST(Session, ASceneGoneToStartsAtItsBeginningInTheSameColours) {
+  Session session = SessionOf("dam-break");
+  session.NextColouring();
+  session.Step();
+  session.GoToNextScene(1);
+  session.GoToNextScene(-1);
+  EXPECT_EQ(session.System().Steps(), 0);
+  EXPECT_EQ(session.colouring, Colouring::kSpeed);
+}
+
+TEST(Session, WhatAKeyHasSetOutlivesAnotherKeyButNotAReset) {
+  Session session = SessionOf("dam-break");
+  Type(session, "d");
+  WallOf(session, "dam").at = 0.5;
+  Type(session, "space");
+  EXPECT_DOUBLE_EQ(WallOf(session, "dam").at, 0.5);
+  EXPECT_DOUBLE_EQ(session.System().parameters.motion_damping, 1.0);
+  Type(session, "r");
+  EXPECT_DOUBLE_EQ(session.System().parameters.motion_damping, 8.0);
+}
+
+TEST(Session, SaysWhyABlockIsNotDropped) {
+  Session session = SessionOf("dam-break");
+  session.System().parameters.particle_limit = session.System().State().Size();
+  Type(session, "space");
+  EXPECT_NE(session.message.find("limit"), std::string::npos) << session.message;
+  EXPECT_EQ(session.System().State().Size(), session.System().parameters.particle_limit);
+}
+
+TEST(Session, AResetEndsAPauseAndTrouble) {
+  Session session = SessionOf("dam-break");
+  session.paused = true;
+  session.System().parameters.time_step = 10;
+  for (int i = 0; i < 10; ++i) session.Step();
+  ASSERT_TRUE(session.System().Trouble());
+  session.Reset();
+  EXPECT_FALSE(session.System().Trouble());
+  EXPECT_FALSE(session.paused);
+}
+
+}  // namespace
+}  // namespace sph
