@@ -32,7 +32,7 @@ template <typename Real>
 void Find(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<Real>& positions, double support,
           double reach, ListBlock& block) {
   const hn::ScalableTag<Real> d;
-  const hn::RebindToUnsigned<decltype(d)> du;
+  const hn::Rebind<std::uint32_t, decltype(d)> du;
   const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
   const double per_unit = 1 / Positions<Real>::Unit(support);
   // A little further than asked for, against the rounding of the conversion to Real.
@@ -53,17 +53,11 @@ void Find(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Po
       const auto dx = Beyond(d, Offset(d, positions.X() + other.first, x), half_width);
       const auto dy = Beyond(d, Offset(d, positions.Y() + other.first, y), half_height);
       const auto within = hn::Lt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), reach2);
-      const auto of_cluster = hn::FirstN(d, other.count);
-      const auto numbers = hn::Iota(du, other.first);
-      const auto chosen = hn::RebindMask(du, hn::And(within, of_cluster));
-      if constexpr (sizeof(Real) == 4) {
-        found += static_cast<std::uint32_t>(hn::CompressStore(numbers, chosen, du, block.numbers.data() + found));
-      } else {
-        const hn::Rebind<std::uint32_t, decltype(d)> du32;
-        const auto kept = hn::Compress(numbers, chosen);
-        hn::StoreU(hn::TruncateTo(du32, kept), du32, block.numbers.data() + found);
-        found += static_cast<std::uint32_t>(hn::CountTrue(du, chosen));
-      }
+      // The same lanes as a mask of the numbers, which are of 32 bits in either precision.
+      HWY_ALIGN std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, hn::And(within, hn::FirstN(d, other.count)), bits);
+      found += static_cast<std::uint32_t>(
+          hn::CompressStore(hn::Iota(du, other.first), hn::LoadMaskBits(du, bits), du, block.numbers.data() + found));
     });
     block.begin[k - block.first + 1] = found;
   }

@@ -1,6 +1,7 @@
 // Positions as the passes over neighbours read them: exact differences at any size of the domain, in either precision.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -12,7 +13,7 @@ namespace sph {
 /// Vector loads may go beyond the last particle by less than this many.
 inline constexpr std::size_t kPadding = 64;
 
-/// For passes in double: metres. For passes in float: whole multiples of support/2^27, modulo 2^32. Their differences are exact, so
+/// For passes in double: multiples of the power of two nearest below the support (an exact conversion). For passes in float: whole multiples of support/2^27, modulo 2^32. Their differences are exact, so
 /// that a distance has float's relative precision wherever the particles are; a float coordinate would lose it far from the
 /// origin. The modulus does no harm where the particles that are compared lie within 16 supports of each other.
 template <typename Real>
@@ -23,7 +24,7 @@ class Positions {
   /// Length of a unit of the coordinates [m].
   static double Unit(double support) {
     if constexpr (std::is_same_v<Real, float>) return support * 0x1.0p-27;
-    return 1;
+    return std::exp2(std::floor(std::log2(support)));
   }
 
   /// A position [m] as a coordinate.
@@ -35,7 +36,7 @@ class Positions {
       std::memcpy(&bits, &rounded, sizeof bits);
       return static_cast<std::int32_t>(static_cast<std::uint32_t>(bits));
     } else {
-      return position;
+      return position * per_unit;
     }
   }
 

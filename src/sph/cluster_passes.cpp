@@ -53,7 +53,7 @@ class Pairs {
     const D d;
     const auto x = LoadCoordinates(d, x_ + cluster.first);
     const auto y = LoadCoordinates(d, y_ + cluster.first);
-    const Real least = support_ * Real(1e-12);  // so that 1/r exists for coincident particles, whose dx and dy are 0
+    const Real least = support_ * Real(1e-15);  // so that 1/r exists for coincident particles, whose dx and dy are 0
     const V tiny = hn::Set(d, least * least);
     for (const std::uint32_t j : list) {
       const V dx = Difference(d, x, x_[j]);
