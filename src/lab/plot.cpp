@@ -82,7 +82,8 @@ void DrawTexts(Surface& surface, const Plot& plot, const PlotLayout& layout) {
   const Vec2 centre = layout.frame.Centre();
   surface.SetColour(kInk);
   DrawBlock(surface, layout.title, 0.5 * surface.Width(), Anchor::kMiddle);
-  const double half = 0.5 * TextWidth(layout.x_label.lines.empty() ? "" : layout.x_label.lines[0], layout.x_label.size);
+  const double half =
+      0.5 * WidthOfText(layout.x_label.lines.empty() ? "" : layout.x_label.lines[0], layout.x_label.size);
   const double room = surface.Width() - half;
   DrawBlock(surface, layout.x_label, std::clamp(centre.x, std::min(half, room), std::max(half, room)), Anchor::kMiddle);
   DrawText(surface, plot.y.label, {layout.y_label_x, centre.y}, layout.y_label_size, Anchor::kMiddle, true);
@@ -92,9 +93,10 @@ void DrawTexts(Surface& surface, const Plot& plot, const PlotLayout& layout) {
 
 void DrawColourBar(Surface& surface, const HeatMap& map, const PlotLayout& layout) {
   const Box& bar = layout.bar;
-  for (double y = bar.y0; y < bar.y1; ++y) {
-    surface.SetColour(MapColour((bar.y1 - y - 0.5) / bar.Height()));
-    surface.FillBox({bar.x0, y, bar.x1, y + 1});
+  const int rows = static_cast<int>(bar.Height());
+  for (int row = 0; row < rows; ++row) {
+    surface.SetColour(MapColour((rows - row - 0.5) / rows));
+    surface.FillBox({bar.x0, bar.y0 + row, bar.x1, bar.y0 + row + 1});
   }
   DrawOutline(surface, bar, layout.unit);
   DrawYTicks(surface, layout.bar_ticks, layout.bar_values, bar.x1, layout.unit, true);

@@ -157,7 +157,7 @@ std::vector<Tick> LogTicks(double low, double high, int at_most) {
   const Decades decades(low, high);
   if (decades.Count() >= 3) return DecadeTicks(low, high, decades, at_most);
   for (const std::string_view digits : {"125", "13"}) {
-    const std::vector<Tick> ticks = DigitTicks(low, high, digits);
+    std::vector<Tick> ticks = DigitTicks(low, high, digits);
     const auto labels = std::count_if(ticks.begin(), ticks.end(), [](const Tick& t) { return !t.label.empty(); });
     if (labels >= 2 && labels <= at_most) return ticks;
   }

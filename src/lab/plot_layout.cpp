@@ -21,7 +21,7 @@ std::vector<Tick> TicksOf(const AxisMap& axis, int at_most) {
 
 double WidestLabel(const std::vector<Tick>& ticks, double size) {
   double widest = 0;
-  for (const Tick& tick : ticks) widest = std::max(widest, TextWidth(tick.label, size));
+  for (const Tick& tick : ticks) widest = std::max(widest, WidthOfText(tick.label, size));
   return widest;
 }
 
@@ -29,7 +29,7 @@ bool LabelsFit(const AxisMap& axis, const std::vector<Tick>& ticks, double size)
   double free_from = -1e9;
   for (const Tick& tick : ticks) {
     if (tick.label.empty()) continue;
-    const double at = axis.ToPixel(tick.value), half = 0.5 * TextWidth(tick.label, size);
+    const double at = axis.ToPixel(tick.value), half = 0.5 * WidthOfText(tick.label, size);
     if (at - half < free_from) return false;
     free_from = at + half + size;
   }
@@ -142,7 +142,7 @@ void LayOutColumns(PlotLayout& layout, double right_used, int width) {
     layout.x_ticks = HorizontalTicks(layout.x, size);
     double beyond = 0;
     for (const Tick& tick : layout.x_ticks) {
-      const double end = layout.x.ToPixel(tick.value) + 0.5 * TextWidth(tick.label, size);
+      const double end = layout.x.ToPixel(tick.value) + 0.5 * WidthOfText(tick.label, size);
       beyond = std::max(beyond, end + kEdge * layout.unit - width);
     }
     right -= beyond;

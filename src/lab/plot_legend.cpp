@@ -36,7 +36,7 @@ Vec2 LegendSize(const Plot& plot, double unit) {
   int entries = 0;
   const auto add = [&](const std::string& name) {
     if (name.empty()) return;
-    widest = std::max(widest, TextWidth(name, kLegendSize * unit));
+    widest = std::max(widest, WidthOfText(name, kLegendSize * unit));
     ++entries;
   };
   for (const Series& series : plot.series) add(series.name);

@@ -101,12 +101,12 @@ void DrawText(Surface& surface, const std::string& text, Vec2 at, double size, A
   cairo_translate(context, at.x, at.y);
   if (upwards) cairo_rotate(context, -std::acos(0.0));
   const double part = anchor == Anchor::kLeft ? 0 : anchor == Anchor::kMiddle ? 0.5 : 1;
-  cairo_move_to(context, -part * TextWidth(text, size), 0.5 * kCapitalHeight * size);
+  cairo_move_to(context, -part * WidthOfText(text, size), 0.5 * kCapitalHeight * size);
   cairo_show_text(context, text.c_str());
   cairo_restore(context);
 }
 
-double TextWidth(const std::string& text, double size) {
+double WidthOfText(const std::string& text, double size) {
   Surface paper(1, 1);
   SetFont(paper.Context(), size);
   cairo_text_extents_t extents;
@@ -115,7 +115,7 @@ double TextWidth(const std::string& text, double size) {
 }
 
 double FittingSize(const std::string& text, double size, double width) {
-  const double needed = TextWidth(text, size);
+  const double needed = WidthOfText(text, size);
   return needed > width ? size * width / needed : size;
 }
 
@@ -123,7 +123,7 @@ std::vector<std::string> Wrap(const std::string& text, double size, double width
   std::vector<std::string> lines;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    if (!lines.empty() && TextWidth(lines.back() + " " + word, size) <= width) {
+    if (!lines.empty() && WidthOfText(lines.back() + " " + word, size) <= width) {
       lines.back() += " " + word;
     } else {
       lines.push_back(word);

@@ -51,7 +51,7 @@ enum class Anchor { kLeft, kMiddle, kRight };
 void DrawText(Surface& surface, const std::string& text, Vec2 at, double size, Anchor anchor, bool upwards = false);
 
 /// [pixels]
-double TextWidth(const std::string& text, double size);
+double WidthOfText(const std::string& text, double size);
 /// From one line to the next.
 constexpr double LineHeight(double size) { return 1.3 * size; }
 

@@ -26,7 +26,7 @@ void DrawListPainter::UploadFonts(ImFontAtlas& atlas) {
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, ink);
-  atlas.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(letters_.Name())));
+  atlas.SetTexID(AsPointer(letters_.Name()));
   atlas.ClearTexData();
 }
 
@@ -58,8 +58,7 @@ void DrawListPainter::DrawCommand(const ImDrawCmd& command, int height) {
   gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
   const GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
   gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
-                             reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)),
-                             static_cast<GLint>(command.VtxOffset));
+                             AsPointer(command.IdxOffset * sizeof(ImDrawIdx)), static_cast<GLint>(command.VtxOffset));
 }
 
 }  // namespace sph

@@ -1,6 +1,9 @@
 // OpenGL's objects with an owner: made with it, deleted with it. The context must be current both times.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "render/gl_functions.hpp"
 
 namespace sph {
@@ -56,13 +59,18 @@ class Texture {
   GLuint name_ = 0;
 };
 
+/// A number as OpenGL and Dear ImGui take offsets and names: in a pointer that points nowhere.
+inline void* AsPointer(std::uintptr_t number) {
+  return reinterpret_cast<void*>(number);  // NOLINT(performance-no-int-to-ptr)
+}
+
 /// What a vertex attribute of the buffer bound last is: `size` numbers of `type`, `offset` bytes into each vertex.
 inline void SetAttribute(const GlFunctions& gl, GLuint location, GLint size, GLenum type, std::size_t vertex_bytes,
                          std::size_t offset) {
   const GLboolean bytes_mean_fractions = type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE;
   gl.EnableVertexAttribArray(location);
   gl.VertexAttribPointer(location, size, type, bytes_mean_fractions, static_cast<GLsizei>(vertex_bytes),
-                         reinterpret_cast<const void*>(offset));
+                         AsPointer(offset));
 }
 
 }  // namespace sph

@@ -159,9 +159,10 @@ void TextLayer::State::DrawLegend(ImDrawList* list) const {
 
   Write(list, Font(), at, kInk, legend->title);
   const float top = at.y + line + gap;
-  for (float column = 0; column < width; ++column) {
+  for (int column = 0; column < static_cast<int>(width); ++column) {
     const Rgb colour = ColourAt((column + 0.5) / width);
-    list->AddRectFilled({at.x + column, top}, {at.x + column + 1, top + bar_height},
+    const float left = at.x + static_cast<float>(column);
+    list->AddRectFilled({left, top}, {left + 1, top + bar_height},
                         IM_COL32(colour.red, colour.green, colour.blue, 255));
   }
   list->AddRect({at.x, top}, {at.x + width, top + bar_height}, kFrame);

@@ -87,7 +87,8 @@ class SceneReader {
   }
 
  private:
-  /// UsageError if keys of two members of the group were given, as in equation_of_state.tait and equation_of_state.polytrope.
+  /// UsageError if keys of two members of the group were given, as in equation_of_state.tait and
+  /// equation_of_state.polytrope.
   void CheckOneOf(const std::string& group) const {
     std::string first;
     for (const auto& [path, place] : given_) {

@@ -32,7 +32,7 @@ TEST(OutputDirectory, IsRefusedWhereAFileIs) {
 TEST(OutputDirectory, IsRefusedWhereNothingCanBeWritten) {
   EXPECT_TRUE(Complains([] { PrepareOutputDirectory("/proc/sphlab"); }, {"cannot be created"}));
   const ScratchDirectory scratch;
-  const fs::path path = scratch.Path();
+  const fs::path& path = scratch.Path();
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_exec);
   {
     const OrdinaryUser user;

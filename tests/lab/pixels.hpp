@@ -8,6 +8,8 @@
 
 namespace sph {
 
+constexpr Colour kRed = {1, 0, 0};
+
 /// The pixel of a point of the picture.
 inline Colour PixelAt(const Image& image, double x, double y) {
   const std::uint8_t* p = image.Pixel(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)));
@@ -19,26 +21,20 @@ inline double Distance(Colour a, Colour b) {
   return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)});
 }
 
-/// Number of pixels of the box that are of that colour, up to a quarter of its range.
-inline int CountOfColour(const Image& image, const Box& box, Colour colour) {
+/// Number of pixels of the box that are of that colour, up to `tolerance` in each channel.
+inline int CountOfColour(const Image& image, const Box& box, Colour colour, double tolerance = 0.25) {
   int count = 0;
   for (int y = std::max(0, static_cast<int>(box.y0)); y < std::min<double>(image.height, box.y1); ++y) {
     for (int x = std::max(0, static_cast<int>(box.x0)); x < std::min<double>(image.width, box.x1); ++x) {
-      count += Distance(PixelAt(image, x, y), colour) < 0.25 ? 1 : 0;
+      count += Distance(PixelAt(image, x, y), colour) <= tolerance ? 1 : 0;
     }
   }
   return count;
 }
 
-/// Number of pixels of the box that are not white.
+/// Number of pixels of the box that are not white; the box has corners of whole pixels.
 inline int CountInk(const Image& image, const Box& box) {
-  int count = 0;
-  for (int y = std::max(0, static_cast<int>(box.y0)); y < std::min<double>(image.height, box.y1); ++y) {
-    for (int x = std::max(0, static_cast<int>(box.x0)); x < std::min<double>(image.width, box.x1); ++x) {
-      count += Distance(PixelAt(image, x, y), {1, 1, 1}) > 0 ? 1 : 0;
-    }
-  }
-  return count;
+  return static_cast<int>(box.Width() * box.Height()) - CountOfColour(image, box, {1, 1, 1}, 0);
 }
 
 inline Box WholeOf(const Image& image) { return {0, 0, 1.0 * image.width, 1.0 * image.height}; }
@@ -55,9 +51,6 @@ inline Box DifferenceOf(const Image& a, const Image& b) {
   }
   return box.x1 > 0 ? box : Box{};
 }
-
-constexpr Colour kRed = {1, 0, 0};
-constexpr Colour kBlank = {1, 1, 1};
 
 /// A plot of the unit square with one red series.
 inline Plot UnitSquare(Series series) {

@@ -76,10 +76,10 @@ TEST(Draw, WritesEveryLabelWhole) {
   const Plot plot = LargeNumbers();
   const PlotLayout layout = LayOut(plot, 1200, 800);
   double widest = 0;
-  for (const Tick& tick : layout.y_ticks) widest = std::max(widest, TextWidth(tick.label, 22));
+  for (const Tick& tick : layout.y_ticks) widest = std::max(widest, WidthOfText(tick.label, 22));
   EXPECT_GT(widest, 60);
   EXPECT_GT(layout.frame.x0 - widest - 13, layout.y_label_x + 0.5 * layout.y_label_size);
-  EXPECT_LE(TextWidth(plot.y.label, layout.y_label_size), layout.frame.Height());
+  EXPECT_LE(WidthOfText(plot.y.label, layout.y_label_size), layout.frame.Height());
 }
 
 TEST(Draw, LabelsOfNeighbouringTicksDoNotMeet) {
@@ -90,7 +90,7 @@ TEST(Draw, LabelsOfNeighbouringTicksDoNotMeet) {
       double free_from = 0, free_above = size.height;
       for (const Tick& tick : layout.x_ticks) {
         if (tick.label.empty()) continue;
-        const double at = layout.x.ToPixel(tick.value), half = 0.5 * TextWidth(tick.label, letters);
+        const double at = layout.x.ToPixel(tick.value), half = 0.5 * WidthOfText(tick.label, letters);
         EXPECT_GT(at - half, free_from);
         free_from = at + half;
       }

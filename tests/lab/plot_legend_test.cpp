@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "lab/pixels.hpp"
@@ -68,7 +69,7 @@ TEST(Legend, NamesEverySeriesAndBand) {
   DrawLegend(surface, plot, {10, 10, 10 + size.x, 10 + size.y}, 1);
   const Image image = surface.ToImage();
   for (int line = 0; line < 3; ++line) {
-    const double y0 = 16 + line * LineHeight(kLegendSize), y1 = y0 + LineHeight(kLegendSize);
+    const double y0 = std::round(16 + line * LineHeight(kLegendSize)), y1 = std::floor(y0 + LineHeight(kLegendSize));
     const Box sample = {22, y0, 78, y1}, name = {90, y0, 10 + size.x, y1};
     EXPECT_GT(CountInk(image, sample), 80) << line;
     EXPECT_GT(CountOfColour(image, name, kInk), 80) << line;
@@ -79,7 +80,7 @@ TEST(Legend, IsNotThereWithoutNames) {
   Plot plot = UnitSquare({.x = {0, 1}, .y = {0, 1}});
   EXPECT_EQ(LegendSize(plot, 1), Vec2{});
   plot.series[0].name = "line";
-  EXPECT_GT(LegendSize(plot, 1).x, TextWidth("line", kLegendSize));
+  EXPECT_GT(LegendSize(plot, 1).x, WidthOfText("line", kLegendSize));
 }
 
 TEST(Style, GivesEverySeriesAnotherLook) {
@@ -112,7 +113,7 @@ TEST(Text, StandsWhereItsAnchorIs) {
     Surface surface(400, 100);
     surface.SetColour({0, 0, 0});
     DrawText(surface, "HHH", {200, 50}, 40, anchor);
-    const double width = TextWidth("HHH", 40);
+    const double width = WidthOfText("HHH", 40);
     const Box ink = DifferenceOf(surface.ToImage(), Surface(400, 100).ToImage());
     // Letters begin and end a tenth of their size inside their advance.
     EXPECT_NEAR(ink.x0, 200 + from * width, 5);
@@ -124,11 +125,11 @@ TEST(Text, StandsWhereItsAnchorIs) {
 
 TEST(Text, WrapsBetweenWordsAndShrinksToFit) {
   EXPECT_EQ(Wrap("one two three", 20, 1000), std::vector<std::string>{"one two three"});
-  EXPECT_EQ(Wrap("one two three", 20, TextWidth("one two", 20) + 1), (std::vector<std::string>{"one two", "three"}));
+  EXPECT_EQ(Wrap("one two three", 20, WidthOfText("one two", 20) + 1), (std::vector<std::string>{"one two", "three"}));
   EXPECT_EQ(Wrap("immeasurable", 20, 5), std::vector<std::string>{"immeasurable"});
   EXPECT_TRUE(Wrap("", 20, 100).empty());
   EXPECT_EQ(FittingSize("abc", 20, 1000), 20);
-  EXPECT_NEAR(TextWidth("abc", FittingSize("abc", 20, 10)), 10, 0.5);
+  EXPECT_NEAR(WidthOfText("abc", FittingSize("abc", 20, 10)), 10, 0.5);
 }
 
 }  // namespace

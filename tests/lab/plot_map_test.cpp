@@ -56,15 +56,13 @@ TEST(HeatMap, FollowsTheScaleAndEndsOfItsColourBar) {
 }
 
 TEST(HeatMap, HasNoSeamsBetweenCells) {
-  const Plot plot = MapOf(std::vector<double>(37 * 23, 1.0), 37, 23, {0, 0, 1, 1});
+  constexpr std::size_t kColumns = 37, kRows = 23;
+  const Plot plot = MapOf(std::vector<double>(kColumns * kRows, 1.0), kColumns, kRows, {0, 0, 1, 1});
   const Box frame = LayOut(plot, 1200, 800).frame;
+  const Box inside = {frame.x0 + 2, frame.y0 + 2, frame.x1 - 2, frame.y1 - 2};
   const Image image = Draw(plot);
-  const Colour colour = PixelAt(image, frame.x0 + 5, frame.y0 + 5);
-  int others = 0;
-  for (double y = frame.y0 + 2; y < frame.y1 - 2; ++y) {
-    for (double x = frame.x0 + 2; x < frame.x1 - 2; ++x) others += PixelAt(image, x, y) == colour ? 0 : 1;
-  }
-  EXPECT_EQ(others, 0);
+  const Colour colour = PixelAt(image, inside.x0, inside.y0);
+  EXPECT_EQ(CountOfColour(image, inside, colour, 0), inside.Width() * inside.Height());
 }
 
 TEST(MapColour, GetsEverBrighter) {

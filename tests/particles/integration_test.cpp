@@ -136,7 +136,7 @@ TEST(Integration, LeapFrogsOscillationNeverGrowsUpToItsLimitOfStability) {
   EXPECT_GT(std::abs(unstable.State().x[0]), 1e6);
 }
 
-TEST(Integration, StrongDampingOfAnySizeOnlySlows) {
+TEST(Integration, StrongDampingOfAnySizeNeverSpeedsUp) {
   // The second-order form keeps |v+| <= |v-| for every nu >= 0: (1 - s)/(1 + s) is within -1 and 1.
   for (const double nu : {1.0, 100.0, 1e6}) {
     Parameters one = OneParticle({0, 0}, {1, 0}, 0.01);

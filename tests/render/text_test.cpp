@@ -67,8 +67,7 @@ TEST(Text, StaysInTheWindowHoweverSmall) {
   const std::string status = "dam-break   t = 12.345 s   N = 100000   dt = 0.000123 s   speed 1.00×";
   for (const auto& [width, height] : {std::pair(320, 240), {200, 400}, {1280, 720}}) {
     Easel easel(width, height);
-    std::vector<HelpRow> rows;
-    for (int i = 0; i < 12; ++i) rows.push_back({"Left, Right", "move the dam wall while held, and more of the like"});
+    const std::vector<HelpRow> rows(12, {"Left, Right", "move the dam wall while held, and more of the like"});
     const Image image = easel.DrawInPixels(width, height, [&](Renderer& r) {
       r.Text().StatusLine(status);
       r.Text().Message(status);
