@@ -23,7 +23,8 @@ void ClusterBoxes::Update(const ClusterOrder& order, std::span<const double> x, 
   highest_so_far_.resize(n);
   lowest_to_come_.resize(n);
   for (std::size_t k = 0; k < n; ++k) boxes_[k] = BoxOf(clusters[k], x, y);
-  for (auto* values : {&column_x0_, &column_x1_, &rightmost_so_far_, &leftmost_to_come_}) values->resize(columns_.size());
+  for (auto* values : {&column_x0_, &column_x1_, &rightmost_so_far_, &leftmost_to_come_})
+    values->resize(columns_.size());
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     const auto [first, last] = columns_[c];
     double highest = boxes_[first].y1;

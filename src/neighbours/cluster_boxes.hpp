@@ -1,4 +1,5 @@
-// Where the clusters are, and which of them may be near a box: the paper's FindCells (V-B) for clusters in place of cells.
+// Where the clusters are, and which of them may be near a box: the paper's FindCells (V-B) for clusters in place of
+// cells.
 #pragma once
 
 #include <span>
@@ -15,8 +16,8 @@ class ClusterBoxes {
 
   const Box& Of(std::size_t cluster) const { return boxes_[cluster]; }
 
-  /// Calls visit(k) for the clusters whose boxes touch `around`, column by column from the bottom up. `hints` remembers where the
-  /// last search of a column ended: searches for clusters near each other find their place in a few steps.
+  /// Calls visit(k) for the clusters whose boxes touch `around`, column by column from the bottom up. `hints` remembers
+  /// where the last search of a column ended: searches for clusters near each other find their place in a few steps.
   template <typename Visit>
   void FindCells(const Box& around, std::vector<std::uint32_t>& hints, Visit visit) const;
 
@@ -25,11 +26,12 @@ class ClusterBoxes {
  private:
   std::span<const Column> columns_;
   std::vector<Box> boxes_;
-  // Up a column, no cluster before k ends above highest_so_far_[k] and none from k on begins below lowest_to_come_[k]; the same
-  // for the columns in x. Both grow with k, so what may touch a box is one run, wherever the particles have drifted to.
-  std::vector<double> highest_so_far_, lowest_to_come_;              // [clusters]
-  std::vector<double> column_x0_, column_x1_;                        // [columns]
-  std::vector<double> rightmost_so_far_, leftmost_to_come_;          // [columns]
+  // Up a column, no cluster before k ends above highest_so_far_[k] and none from k on begins below lowest_to_come_[k];
+  // the same for the columns in x. Both grow with k, so what may touch a box is one run, wherever the particles have
+  // drifted to.
+  std::vector<double> highest_so_far_, lowest_to_come_;      // [clusters]
+  std::vector<double> column_x0_, column_x1_;                // [columns]
+  std::vector<double> rightmost_so_far_, leftmost_to_come_;  // [columns]
 };
 
 template <typename Visit>
@@ -40,7 +42,8 @@ void ClusterBoxes::FindCells(const Box& around, std::vector<std::uint32_t>& hint
     for (std::size_t c = 0; c < columns; ++c) hints[c] = columns_[c].first;
   }
   // The least k in [first, last) with values[k] >= bound, searched from the hint on.
-  const auto walk = [](const std::vector<double>& values, std::size_t first, std::size_t last, std::size_t k, double bound) {
+  const auto walk = [](const std::vector<double>& values, std::size_t first, std::size_t last, std::size_t k,
+                       double bound) {
     while (k > first && values[k - 1] >= bound) --k;
     while (k < last && values[k] < bound) ++k;
     return k;

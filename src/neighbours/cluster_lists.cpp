@@ -1,9 +1,9 @@
+// Verlet lists of clusters, built on vectors; the target loop of Highway comes first.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "neighbours/cluster_lists.cpp"
-#include <hwy/foreach_target.h>  // compiles this file once for each instruction set
-
 #include "neighbours/cluster_lists.hpp"
 
+#include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -29,8 +29,8 @@ HWY_INLINE auto Offset(hn::ScalableTag<double> d, const double* x, double centre
 }
 
 template <typename Real>
-void Find(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<Real>& positions, double support,
-          double reach, ListBlock& block) {
+void Find(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<Real>& positions,
+          double support, double reach, ListBlock& block) {
   const hn::ScalableTag<Real> d;
   const hn::Rebind<std::uint32_t, decltype(d)> du;
   const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
@@ -99,13 +99,13 @@ int Lanes<double>() {
 }
 
 template <>
-void FindNeighbours<float>(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<float>& positions,
-                           double support, double reach, ListBlock& block) {
+void FindNeighbours<float>(std::span<const Cluster> clusters, const ClusterBoxes& boxes,
+                           const Positions<float>& positions, double support, double reach, ListBlock& block) {
   HWY_DYNAMIC_DISPATCH(FindFloat)(clusters, boxes, positions, support, reach, block);
 }
 template <>
-void FindNeighbours<double>(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<double>& positions,
-                            double support, double reach, ListBlock& block) {
+void FindNeighbours<double>(std::span<const Cluster> clusters, const ClusterBoxes& boxes,
+                            const Positions<double>& positions, double support, double reach, ListBlock& block) {
   HWY_DYNAMIC_DISPATCH(FindDouble)(clusters, boxes, positions, support, reach, block);
 }
 

@@ -30,8 +30,9 @@ inline constexpr std::uint32_t kClustersPerBlock = 64;
 template <typename Real>
 int Lanes();
 
-/// Overwrites the block's lists: every particle whose distance from the cluster's box is below `reach` [m], those of the cluster
-/// included, and perhaps a few at that distance to round-off. Ascending within a column of clusters. Allocates only while lists grow.
+/// Overwrites the block's lists: every particle whose distance from the cluster's box is below `reach` [m], those of
+/// the cluster included, and perhaps a few at that distance to round-off. Ascending within a column of clusters.
+/// Allocates only while lists grow.
 template <typename Real>
 void FindNeighbours(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<Real>& positions,
                     double support, double reach, ListBlock& block);

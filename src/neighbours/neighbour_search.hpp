@@ -1,4 +1,5 @@
-// Keeps clusters and their lists fit for particles that move: lists with a skin, made anew only when a particle may have crossed it.
+// Keeps clusters and their lists fit for particles that move: lists with a skin, made anew only when a particle may
+// have crossed it.
 #pragma once
 
 #include <span>
@@ -26,13 +27,15 @@ class NeighbourSearch {
   /// @param support    reach of the kernel [m]
   SearchTask NextTask(double travelled, double support);
 
-  /// First part of kSort: columns and order for particles about `spacing` [m] apart. The caller reorders its arrays by Order().
+  /// First part of kSort: columns and order for particles about `spacing` [m] apart. The caller reorders its arrays by
+  /// Order().
   void Sort(std::span<const double> x, std::span<const double> y, double spacing, int lanes);
   std::span<const std::uint32_t> Order() const { return order_.Order(); }
   /// Second part, with the reordered positions.
   void Cut(std::span<const double> x, std::span<const double> y);
 
-  /// Boxes, skin and empty blocks for the lists; then FindNeighbours is to be called for every block with Reach(), and Finish.
+  /// Boxes, skin and empty blocks for the lists; then FindNeighbours is to be called for every block with Reach(), and
+  /// Finish.
   /// @param travel_per_step  how far the fastest particle goes in a step [m]
   void Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step);
   double Reach() const { return support_ + skin_; }
@@ -56,10 +59,10 @@ class NeighbourSearch {
   int lanes_ = 0;
   double support_ = 0;
   double skin_ = 0;
-  double travelled_ = 0;                  // as told last, and when the lists were made [m]
+  double travelled_ = 0;  // as told last, and when the lists were made [m]
   double travelled_when_made_ = 0;
-  std::size_t pairs_ = 0;                 // entries of all lists
-  double pairs_per_area_ = 0;             // entries over (reach/support)^2: now, and just after the last sort
+  std::size_t pairs_ = 0;      // entries of all lists
+  double pairs_per_area_ = 0;  // entries over (reach/support)^2: now, and just after the last sort
   double pairs_per_area_when_sorted_ = 0;
   long lists_made_ = 0;
   long sorts_ = 0;

@@ -13,9 +13,10 @@ namespace sph {
 /// Vector loads may go beyond the last particle by less than this many.
 inline constexpr std::size_t kPadding = 64;
 
-/// For passes in double: multiples of the power of two nearest below the support (an exact conversion). For passes in float: whole multiples of support/2^27, modulo 2^32. Their differences are exact, so
-/// that a distance has float's relative precision wherever the particles are; a float coordinate would lose it far from the
-/// origin. The modulus does no harm where the particles that are compared lie within 16 supports of each other.
+/// For passes in double: multiples of the power of two nearest below the support (an exact conversion). For passes in
+/// float: whole multiples of support/2^28, modulo 2^32. Their differences are exact, so that a distance has float's
+/// relative precision wherever the particles are; a float coordinate would lose it far from the origin. The modulus
+/// does no harm where the particles that are compared lie within 8 supports of each other.
 template <typename Real>
 class Positions {
  public:
@@ -23,7 +24,7 @@ class Positions {
 
   /// Length of a unit of the coordinates [m].
   static double Unit(double support) {
-    if constexpr (std::is_same_v<Real, float>) return support * 0x1.0p-27;
+    if constexpr (std::is_same_v<Real, float>) return support * 0x1.0p-28;
     return std::exp2(std::floor(std::log2(support)));
   }
 

@@ -148,7 +148,8 @@ void ParticleSystem::AddMotionDamping(std::size_t first, std::size_t last) {
 
 void ParticleSystem::Boundaries(std::size_t i) {
   Particles& p = particles_;
-  const double before = 0.5 * previous_step_;  // v- is as long before t as half the last step, v+ after it half the next
+  const double before =
+      0.5 * previous_step_;  // v- is as long before t as half the last step, v+ after it half the next
   const double after = 0.5 * parameters.time_step;
   double damping = 0;  // [1/s], of all the walls that the particle is in
   for (const Wall& wall : parameters.walls) {
@@ -167,8 +168,8 @@ void ParticleSystem::Boundaries(std::size_t i) {
     p.ay[i] -= damping * p.vy[i];
     return;
   }
-  // Integrate knows the motion damping nu only. This is the acceleration with which its step comes out as the step of the
-  // second-order form with n = nu + damping: v+ = [v- (1 - n before) + a (before + after)]/(1 + n after).
+  // Integrate knows the motion damping nu only. This is the acceleration with which its step comes out as the step of
+  // the second-order form with n = nu + damping: v+ = [v- (1 - n before) + a (before + after)]/(1 + n after).
   const double nu = parameters.motion_damping;
   const double span = before + after;
   const auto damped = [&](double a, double v_prev) {
@@ -179,12 +180,13 @@ void ParticleSystem::Boundaries(std::size_t i) {
   p.ay[i] = damped(p.ay[i], p.vy_prev[i]);
 }
 
-/// The largest step that the limits allow, but not much longer than the last one: an estimate from one state must not run ahead of
-/// what the next states turn out to be.
+/// The largest step that the limits allow, but not much longer than the last one: an estimate from one state must not
+/// run ahead of what the next states turn out to be.
 void ParticleSystem::ChooseStep() {
   constexpr double kLargestGrowth = 1.1;
   const double largest = LargestStep(StepLimits());
-  parameters.time_step = steps_ == 0 ? std::min(largest, parameters.time_step) : std::min(largest, kLargestGrowth * previous_step_);
+  parameters.time_step =
+      steps_ == 0 ? std::min(largest, parameters.time_step) : std::min(largest, kLargestGrowth * previous_step_);
 }
 
 std::vector<StepLimit> ParticleSystem::StepLimits() const {
@@ -253,8 +255,8 @@ double ParticleSystem::Advance(std::size_t first, std::size_t last, char& behind
   const double after = 0.5 * dt;
   const bool euler = parameters.integration == Integration::kSymplecticEuler;
   const bool second_order = parameters.integration == Integration::kLeapFrog;
-  // v+ = [v- (1 - nu before) + a (before + after)]/(1 + nu after); with equal steps both are dt/2. The other forms have their
-  // damping in the acceleration already.
+  // v+ = [v- (1 - nu before) + a (before + after)]/(1 + nu after); with equal steps both are dt/2. The other forms have
+  // their damping in the acceleration already.
   const double nu = second_order ? parameters.motion_damping : 0.0;
   const double keep = (1 - nu * before) / (1 + nu * after);
   const double gain = (before + after) / (1 + nu * after);

@@ -128,7 +128,8 @@ class ParticleSystem {
   double previous_step_ = 0;  // [s], of the last step
   double last_travel_ = 0;
   double travelled_ = 0;
-  // Which chunks of kParticlesPerChunk particles had one behind a wall after the last step, the walls then leaving legal_.
+  // Which chunks of kParticlesPerChunk particles had one behind a wall after the last step, the walls then leaving
+  // legal_.
   std::vector<char> behind_wall_;
   Box legal_;
 };

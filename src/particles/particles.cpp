@@ -30,7 +30,8 @@ void Particles::Clear() {
 }
 
 std::size_t Particles::Bytes() const {
-  std::size_t bytes = sizeof(std::uint32_t) * (id.capacity() + id_scratch_.capacity()) + sizeof(double) * scratch_.capacity();
+  std::size_t bytes =
+      sizeof(std::uint32_t) * (id.capacity() + id_scratch_.capacity()) + sizeof(double) * scratch_.capacity();
   for (const auto* component : {&x, &y, &vx, &vy, &vx_prev, &vy_prev, &ax, &ay, &mass}) {
     bytes += sizeof(double) * component->capacity();
   }

@@ -16,8 +16,8 @@ struct StepLimit {
 /// What the program allows of the steps that would be just stable.
 inline constexpr double kStepSafety = 0.8;
 
-/// The step that keeps all limits at once, times kStepSafety [s]. Leapfrog is stable for omega dt < 2; where several springs act on
-/// a particle their omega^2 add up, so 1/dt^2 is the sum of the limits' 1/dt^2.
+/// The step that keeps all limits at once, times kStepSafety [s]. Leapfrog is stable for omega dt < 2; where several
+/// springs act on a particle their omega^2 add up, so 1/dt^2 is the sum of the limits' 1/dt^2.
 inline double LargestStep(const std::vector<StepLimit>& limits) {
   double sum = 0;
   for (const StepLimit& limit : limits) sum += 1 / (limit.seconds * limit.seconds);

@@ -1,9 +1,9 @@
+// The passes over neighbours on vectors; the target loop of Highway comes first.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sph/cluster_passes.cpp"
-#include <hwy/foreach_target.h>  // compiles this file once for each instruction set
-
 #include "sph/cluster_passes.hpp"
 
+#include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
 
 #include <cmath>
@@ -42,7 +42,9 @@ class Pairs {
   using V = hn::Vec<D>;
 
   Pairs(const PassInput<Real>& input)
-      : x_(input.positions->X()), y_(input.positions->Y()), support_(static_cast<Real>(input.support / Positions<Real>::Unit(input.support))) {}
+      : x_(input.positions->X()),
+        y_(input.positions->Y()),
+        support_(static_cast<Real>(input.support / Positions<Real>::Unit(input.support))) {}
 
   /// Support radius in the coordinates' unit.
   Real Support() const { return support_; }
@@ -78,7 +80,8 @@ HWY_INLINE void StoreCluster(D d, V values, const Cluster& cluster, hn::TFromD<D
   }
 }
 
-HWY_INLINE void AddLanes(hn::ScalableTag<double> d, hn::Vec<hn::ScalableTag<double>> values, const Cluster& cluster, double* to) {
+HWY_INLINE void AddLanes(hn::ScalableTag<double> d, hn::Vec<hn::ScalableTag<double>> values, const Cluster& cluster,
+                         double* to) {
   if (cluster.count == hn::Lanes(d)) {
     hn::StoreU(hn::Add(hn::LoadU(d, to + cluster.first), values), d, to + cluster.first);
     return;
@@ -87,7 +90,8 @@ HWY_INLINE void AddLanes(hn::ScalableTag<double> d, hn::Vec<hn::ScalableTag<doub
   hn::Store(values, d, lanes);
   for (std::uint32_t k = 0; k < cluster.count; ++k) to[cluster.first + k] += lanes[k];
 }
-HWY_INLINE void AddLanes(hn::ScalableTag<float> d, hn::Vec<hn::ScalableTag<float>> values, const Cluster& cluster, double* to) {
+HWY_INLINE void AddLanes(hn::ScalableTag<float> d, hn::Vec<hn::ScalableTag<float>> values, const Cluster& cluster,
+                         double* to) {
   HWY_ALIGN float lanes[hn::MaxLanes(d)];
   hn::Store(values, d, lanes);
   for (std::uint32_t k = 0; k < cluster.count; ++k) to[cluster.first + k] += static_cast<double>(lanes[k]);
@@ -112,7 +116,8 @@ void Density(const PassInput<Real>& input, const ListBlock& block, double consta
   }
 }
 
-/// `constant` makes an integral of 1 of the kernel's value without constants; powers of the support in it are those of metres.
+/// `constant` makes an integral of 1 of the kernel's value without constants; powers of the support in it are those of
+/// metres.
 template <typename Real, template <class> class Kernel>
 void DensityOf(const PassInput<Real>& input, const ListBlock& block, double constant, int power, Real* density) {
   const double in_units = constant * std::pow(Positions<Real>::Unit(input.support), power);
@@ -145,7 +150,8 @@ void Pressure(const PassInput<Real>& input, const ListBlock& block, const Real* 
   const CubicSplineLanes<decltype(d)> kernel(d, pairs.Support());
   // W' is per metre, o^2 in units^2, dx/r has no unit.
   const double unit = Positions<Real>::Unit(input.support);
-  const double constant = 3 * CubicSplineConstant(input.support) * unit * unit * (kEqualMasses ? input.equal_mass : 1.0);
+  const double constant =
+      3 * CubicSplineConstant(input.support) * unit * unit * (kEqualMasses ? input.equal_mass : 1.0);
   const auto factor = hn::Set(d, static_cast<Real>(constant));
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     const Cluster& cluster = input.clusters[k];
@@ -165,7 +171,8 @@ void Pressure(const PassInput<Real>& input, const ListBlock& block, const Real* 
 }
 
 template <typename Real>
-void CubicSplinePressure(const PassInput<Real>& input, const ListBlock& block, const Real* term, double* ax, double* ay) {
+void CubicSplinePressure(const PassInput<Real>& input, const ListBlock& block, const Real* term, double* ax,
+                         double* ay) {
   if (input.mass == nullptr) {
     Pressure<Real, true>(input, block, term, ax, ay);
   } else {
@@ -198,7 +205,8 @@ void Mueller(const PassInput<Real>& input, const MuellerInput<Real>& mueller, co
       const Distance<decltype(d)> r(d, r2);
       const auto rest = hn::Max(r.SubtractedFrom(support), hn::Zero(d));
       const auto weight = hn::Mul(rest, hn::Set(d, mueller.volume[j]));
-      auto push = hn::Mul(hn::Mul(weight, rest), hn::Mul(hn::Add(own_pressure, hn::Set(d, mueller.pressure[j])), r.Inverse()));
+      auto push =
+          hn::Mul(hn::Mul(weight, rest), hn::Mul(hn::Add(own_pressure, hn::Set(d, mueller.pressure[j])), r.Inverse()));
       if constexpr (kPublished) push = hn::Mul(push, rest);
       push_x = hn::MulAdd(push, dx, push_x);
       push_y = hn::MulAdd(push, dy, push_y);
@@ -230,20 +238,20 @@ void MuellerForces(const PassInput<Real>& input, const MuellerInput<Real>& muell
 
 }  // namespace
 
-#define SPH_PASSES_OF(Real, Name)                                                                                       \
-  void CubicSplineDensity##Name(const PassInput<Real>& input, const ListBlock& block, Real* density) {                  \
-    CubicSplineDensity<Real>(input, block, density);                                                                    \
-  }                                                                                                                     \
-  void Poly6Density##Name(const PassInput<Real>& input, const ListBlock& block, Real* density) {                        \
-    Poly6Density<Real>(input, block, density);                                                                          \
-  }                                                                                                                     \
-  void CubicSplinePressure##Name(const PassInput<Real>& input, const ListBlock& block, const Real* term, double* ax,    \
-                                 double* ay) {                                                                          \
-    CubicSplinePressure<Real>(input, block, term, ax, ay);                                                              \
-  }                                                                                                                     \
-  void MuellerForces##Name(const PassInput<Real>& input, const MuellerInput<Real>& mueller, const ListBlock& block,     \
-                           double* ax, double* ay) {                                                                    \
-    MuellerForces<Real>(input, mueller, block, ax, ay);                                                                 \
+#define SPH_PASSES_OF(Real, Name)                                                                                    \
+  void CubicSplineDensity##Name(const PassInput<Real>& input, const ListBlock& block, Real* density) {               \
+    CubicSplineDensity<Real>(input, block, density);                                                                 \
+  }                                                                                                                  \
+  void Poly6Density##Name(const PassInput<Real>& input, const ListBlock& block, Real* density) {                     \
+    Poly6Density<Real>(input, block, density);                                                                       \
+  }                                                                                                                  \
+  void CubicSplinePressure##Name(const PassInput<Real>& input, const ListBlock& block, const Real* term, double* ax, \
+                                 double* ay) {                                                                       \
+    CubicSplinePressure<Real>(input, block, term, ax, ay);                                                           \
+  }                                                                                                                  \
+  void MuellerForces##Name(const PassInput<Real>& input, const MuellerInput<Real>& mueller, const ListBlock& block,  \
+                           double* ax, double* ay) {                                                                 \
+    MuellerForces<Real>(input, mueller, block, ax, ay);                                                              \
   }
 SPH_PASSES_OF(float, Float)
 SPH_PASSES_OF(double, Double)
@@ -256,28 +264,28 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace sph {
 
-#define SPH_DISPATCH(Real, Name)                                                                                        \
-  HWY_EXPORT(CubicSplineDensity##Name);                                                                                 \
-  HWY_EXPORT(Poly6Density##Name);                                                                                       \
-  HWY_EXPORT(CubicSplinePressure##Name);                                                                                \
-  HWY_EXPORT(MuellerForces##Name);                                                                                      \
-  template <>                                                                                                           \
-  void ComputeCubicSplineDensity<Real>(const PassInput<Real>& input, const ListBlock& block, Real* density) {           \
-    HWY_DYNAMIC_DISPATCH(CubicSplineDensity##Name)(input, block, density);                                              \
-  }                                                                                                                     \
-  template <>                                                                                                           \
-  void ComputePoly6Density<Real>(const PassInput<Real>& input, const ListBlock& block, Real* density) {                 \
-    HWY_DYNAMIC_DISPATCH(Poly6Density##Name)(input, block, density);                                                    \
-  }                                                                                                                     \
-  template <>                                                                                                           \
-  void AddCubicSplinePressure<Real>(const PassInput<Real>& input, const ListBlock& block, const Real* pressure_term,    \
-                                    double* ax, double* ay) {                                                           \
-    HWY_DYNAMIC_DISPATCH(CubicSplinePressure##Name)(input, block, pressure_term, ax, ay);                               \
-  }                                                                                                                     \
-  template <>                                                                                                           \
-  void AddMuellerForces<Real>(const PassInput<Real>& input, const MuellerInput<Real>& mueller, const ListBlock& block,  \
-                              double* ax, double* ay) {                                                                 \
-    HWY_DYNAMIC_DISPATCH(MuellerForces##Name)(input, mueller, block, ax, ay);                                           \
+#define SPH_DISPATCH(Real, Name)                                                                                       \
+  HWY_EXPORT(CubicSplineDensity##Name);                                                                                \
+  HWY_EXPORT(Poly6Density##Name);                                                                                      \
+  HWY_EXPORT(CubicSplinePressure##Name);                                                                               \
+  HWY_EXPORT(MuellerForces##Name);                                                                                     \
+  template <>                                                                                                          \
+  void ComputeCubicSplineDensity<Real>(const PassInput<Real>& input, const ListBlock& block, Real* density) {          \
+    HWY_DYNAMIC_DISPATCH(CubicSplineDensity##Name)(input, block, density);                                             \
+  }                                                                                                                    \
+  template <>                                                                                                          \
+  void ComputePoly6Density<Real>(const PassInput<Real>& input, const ListBlock& block, Real* density) {                \
+    HWY_DYNAMIC_DISPATCH(Poly6Density##Name)(input, block, density);                                                   \
+  }                                                                                                                    \
+  template <>                                                                                                          \
+  void AddCubicSplinePressure<Real>(const PassInput<Real>& input, const ListBlock& block, const Real* pressure_term,   \
+                                    double* ax, double* ay) {                                                          \
+    HWY_DYNAMIC_DISPATCH(CubicSplinePressure##Name)(input, block, pressure_term, ax, ay);                              \
+  }                                                                                                                    \
+  template <>                                                                                                          \
+  void AddMuellerForces<Real>(const PassInput<Real>& input, const MuellerInput<Real>& mueller, const ListBlock& block, \
+                              double* ax, double* ay) {                                                                \
+    HWY_DYNAMIC_DISPATCH(MuellerForces##Name)(input, mueller, block, ax, ay);                                          \
   }
 SPH_DISPATCH(float, Float)
 SPH_DISPATCH(double, Double)

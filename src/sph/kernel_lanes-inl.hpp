@@ -14,8 +14,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Distances r, and 1/r, of vectors with squared length r2 > 0, to full precision: the processor's estimate of 1/sqrt(r2), of 12
-/// bits or more, refined by one Newton step for float and by two for double.
+/// Distances r, and 1/r, of vectors with squared length r2 > 0, to full precision: the processor's estimate of
+/// 1/sqrt(r2), of 12 bits or more, refined by one Newton step for float and by two for double.
 template <class D>
 class Distance {
  public:
@@ -48,12 +48,13 @@ class Distance {
   HWY_INLINE V Inverse() const { return hn::Mul(estimate_, correction_); }
 
  private:
-  V estimate_;    // of 1/r
-  V length_;      // r = length_ * correction_
+  V estimate_;  // of 1/r
+  V length_;    // r = length_ * correction_
   V correction_;
 };
 
-/// CubicSpline: with o = R - r and i = R/2 - r, R the support and negative values replaced by 0, W = C (2/R)^3 (o^3 - 4 i^3).
+/// CubicSpline: with o = R - r and i = R/2 - r, R the support and negative values replaced by 0, W = C (2/R)^3 (o^3 - 4
+/// i^3).
 template <class D>
 class CubicSplineLanes {
  public:

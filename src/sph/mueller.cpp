@@ -41,8 +41,12 @@ void Mueller::AddSpatialInteraction(const ListBlock& block) {
   std::visit(
       [&]<typename Real>(const FluidArrays<Real>& fluid) {
         const auto& arrays = std::get<Arrays<Real>>(arrays_);
-        const MuellerInput<Real> input{arrays.volume.data(),      arrays.pressure.data(),  fluid.density.data(),
-                                       arrays.vx.data(),          arrays.vy.data(),        parameters_sph.viscosity,
+        const MuellerInput<Real> input{arrays.volume.data(),
+                                       arrays.pressure.data(),
+                                       fluid.density.data(),
+                                       arrays.vx.data(),
+                                       arrays.vy.data(),
+                                       parameters_sph.viscosity,
                                        parameters_sph.mueller_published};
         AddMuellerForces(InputOf(fluid), input, block, p.ax.data(), p.ay.data());
         if (!parameters_sph.mueller_published) return;

@@ -6,8 +6,8 @@
 namespace sph {
 
 /// Poly6 density, Spiky pressure, Viscosity kernel [Mueller, Charypar & Gross 2003]. `smoothing_length` is the support
-/// radius. With parameters_sph.mueller_published it repeats the tutorial's program as first published: see AddMuellerForces
-/// for its kernel gradient; its gravity is multiplied by m/rho^2.
+/// radius. With parameters_sph.mueller_published it repeats the tutorial's program as first published: see
+/// AddMuellerForces for its kernel gradient; its gravity is multiplied by m/rho^2.
 class Mueller final : public ParticleSystemSPH {
  public:
   Mueller(const Parameters& base, const ParametersSPH& sph);

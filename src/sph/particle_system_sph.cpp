@@ -48,8 +48,8 @@ void ParticleSystemSPH::PrepareGrid() {
         if (task == SearchTask::kNothing) return;
         neighbours_.Prepare(p.x, p.y, LastTravel());
         ForEachBlock([&](ListBlock& block) {
-          FindNeighbours<Real>(neighbours_.Clusters(), neighbours_.Boxes(), fluid.positions, Support(), neighbours_.Reach(),
-                               block);
+          FindNeighbours<Real>(neighbours_.Clusters(), neighbours_.Boxes(), fluid.positions, Support(),
+                               neighbours_.Reach(), block);
         });
         neighbours_.Finish();
       },
@@ -153,7 +153,8 @@ std::vector<StepLimit> ParticleSystemSPH::StepLimits() const {
   std::vector<StepLimit> limits = ParticleSystem::StepLimits();
   const double h = 0.5 * Support();
   const double sound = FastestSound();
-  // Leapfrog on lattices of the cubic spline's gas, P = rho c^2/2: c dt/h < 1.31 to 1.38, and more where pressures are lower.
+  // Leapfrog on lattices of the cubic spline's gas, P = rho c^2/2: c dt/h < 1.31 to 1.38, and more where pressures are
+  // lower.
   constexpr double kSound = 1.31;
   limits.push_back({"speed of sound", sound > 0 ? kSound * h / sound : std::numeric_limits<double>::infinity()});
   double fastest2 = 0;

@@ -38,8 +38,8 @@ class ParticleSystemSPH : public ParticleSystem {
   virtual std::string KernelName() const { return "cubic spline"; }
   /// Support radius of the kernel [m].
   virtual double Support() const { return CubicSpline<2>::kSupport * parameters_sph.smoothing_length; }
-  /// Mean number of neighbours within the support at the last step's positions, the particle itself not counted. Counted when
-  /// asked for.
+  /// Mean number of neighbours within the support at the last step's positions, the particle itself not counted.
+  /// Counted when asked for.
   double MeanNeighbours() const;
   const NeighbourSearch& Neighbours() const { return neighbours_; }
   /// Of all arrays that grow with the particles.
@@ -51,21 +51,23 @@ class ParticleSystemSPH : public ParticleSystem {
  protected:
   /// PrepareGrid, then density (eq. 8) and pressure of every particle.
   void ComputePressures();
-  /// The pressure terms of the accelerations (eq. 10), and whatever else acts between neighbours, of a block's particles.
+  /// The pressure terms of the accelerations (eq. 10), and whatever else acts between neighbours, of a block's
+  /// particles.
   virtual void AddSpatialInteraction(const ListBlock& block);
   void ComputeAccelerations() override;
   void RestoreParameters() override;
   double LongestMove() const override { return Support(); }
   void ForgetNeighbours() override;
 
-  /// Brings the neighbour lists up to date: sorts the particles into clusters and finds what is near each, where they have moved
-  /// too far for the lists that there are.
+  /// Brings the neighbour lists up to date: sorts the particles into clusters and finds what is near each, where they
+  /// have moved too far for the lists that there are.
   void PrepareGrid();
   /// Makes room in the arrays of the passes for n particles and the padding.
   virtual void ResizeArrays(std::size_t n);
   /// Density of the block's particles.
   virtual void ComputeDensities(const ListBlock& block);
-  /// What else a derived solver reads in its interaction, of the particles first ... last - 1, once their density is known.
+  /// What else a derived solver reads in its interaction, of the particles first ... last - 1, once their density is
+  /// known.
   virtual void PrepareInteraction(std::size_t first, std::size_t last);
   /// Calls work(block) for every block of lists, on all threads.
   template <typename Work>

@@ -116,7 +116,8 @@ RC_GTEST_PROP(NeighbourSearch, ListsHoldUntilAParticleHasCrossedHalfTheSkin, ())
     const SearchTask task = found.search.NextTask(travelled, kSupport);
     if (task != SearchTask::kNothing) break;
     RC_ASSERT(Wrong(found, kSupport) == "");
-    for (std::size_t i = 0; i < found.x.size(); ++i) found.x[i] += i % 2 == 0 ? kTravel : -kTravel;  // towards each other
+    for (std::size_t i = 0; i < found.x.size(); ++i)
+      found.x[i] += i % 2 == 0 ? kTravel : -kTravel;  // towards each other
     travelled += kTravel;
   }
   RC_ASSERT(2 * travelled > found.search.Skin());
@@ -142,7 +143,8 @@ TEST(NeighbourSearch, SortsAgainWhenDriftHasMadeTheListsLong) {
 }
 
 TEST(NeighbourSearch, ListsOfALatticeAreNotMuchLongerThanTheNeighbours) {
-  // 16 particles in a square of 4 x 4 spacings reach (16 + 16 R + pi R^2) dx^2, R = 2.5 spacings: 76 particles; 8 and 4 reach fewer.
+  // 16 particles in a square of 4 x 4 spacings reach (16 + 16 R + pi R^2) dx^2, R = 2.5 spacings: 76 particles; 8 and 4
+  // reach fewer.
   std::vector<double> x, y;
   for (int k = 0; k < 10000; ++k) {
     x.push_back(kSpacing * (k % 100));

@@ -44,8 +44,9 @@ Neighbourhood<Real> FindNeighbours(const Cloud& cloud, double support);
 /// Calls test() with every instruction set that this processor has, and a trace that names it.
 void WithEveryInstructionSet(const std::function<void()>& test);
 
-/// The bound on |pass - twin| over the greatest value of the twin in the same cloud: a few roundings of sums of some ten to some
-/// hundred terms, and in double on processors without AVX-512 the 46 bits to which two Newton steps bring a 12-bit estimate.
+/// The bound on |pass - twin| over the greatest value of the twin in the same cloud: a few roundings of sums of some
+/// ten to some hundred terms, and in double on processors without AVX-512 the 46 bits to which two Newton steps bring a
+/// 12-bit estimate.
 template <typename Real>
 constexpr double kTolerance = sizeof(Real) == 4 ? 2e-6 : 1e-13;
 

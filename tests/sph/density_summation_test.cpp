@@ -73,8 +73,8 @@ TYPED_TEST(DensitySummation, OfALoneParticleIsItsMassTimesTheKernelsMiddle) {
   cloud.x = cloud.y = cloud.vx = cloud.vy = {0};
   cloud.mass = {0.25};
   const double expected = 0.25 * CubicSpline<2>(kCloudH).Value(0);
-  EXPECT_NEAR(DensityOf(FindNeighbours<TypeParam>(cloud, 2 * kCloudH), &ComputeCubicSplineDensity<TypeParam>)[0], expected,
-              kTolerance<TypeParam> * expected);
+  EXPECT_NEAR(DensityOf(FindNeighbours<TypeParam>(cloud, 2 * kCloudH), &ComputeCubicSplineDensity<TypeParam>)[0],
+              expected, kTolerance<TypeParam> * expected);
 }
 
 /// rho of an endless square lattice of unit density by Poisson's summation formula: the sum over the reciprocal lattice
@@ -128,7 +128,8 @@ TEST(LatticeDensity, IsWhatItsFourierSeriesSays) {
   }
   const Poly6 poly6(kCloudH);
   const double dx = kCloudH / 1.75;  // the tutorial's ratio, put right: 0.16 m over 0.0913 m
-  EXPECT_NEAR(LatticeDensityBySummation(&ComputePoly6Density<double>, kCloudH, dx), LatticeDensityByFourierSeries(poly6, kCloudH, dx), 2e-6);
+  EXPECT_NEAR(LatticeDensityBySummation(&ComputePoly6Density<double>, kCloudH, dx),
+              LatticeDensityByFourierSeries(poly6, kCloudH, dx), 2e-6);
 }
 
 TEST(LatticeDensity, IsTheFluidsDensity) {

@@ -33,7 +33,8 @@ struct Setting {
     for (std::size_t i = 0; i < cloud.Size(); ++i) volume[i] /= density[i];
     const auto volumes = converted(volume), pressures = converted(pressure), densities = converted(density),
                vx = converted(cloud.vx), vy = converted(cloud.vy);
-    const MuellerInput<Real> input{volumes.data(), pressures.data(), densities.data(), vx.data(), vy.data(), mu, published};
+    const MuellerInput<Real> input{volumes.data(), pressures.data(), densities.data(), vx.data(), vy.data(), mu,
+                                   published};
     for (const ListBlock& block : found.search.Blocks()) {
       AddMuellerForces(found.Input(), input, block, ax.data(), ay.data());
     }
@@ -43,6 +44,11 @@ struct Setting {
   Cloud& cloud;
   std::vector<double> density, pressure, ax, ay;
 };
+
+/// Spiky's slope does not vanish at r = 0, so the force between two particles almost in one place turns with their
+/// direction, of which float positions know only support/2^28 over r.
+template <typename Real>
+constexpr double kNearContact = sizeof(Real) == 4 ? 20 * kTolerance<float> : kTolerance<double>;
 
 template <typename Real>
 class MuellerForcesOf : public testing::Test {};
@@ -60,8 +66,8 @@ void ExpectTwinsAgree(bool published) {
         double greatest = 0;
         for (const PlainSum& sum : plain) greatest = std::max(greatest, Length(sum.value));
         for (std::size_t i = 0; i < s.cloud.Size(); ++i) {
-          ASSERT_NEAR(s.ax[i], plain[i].value.x, kTolerance<Real> * greatest) << given.name << ", particle " << i;
-          ASSERT_NEAR(s.ay[i], plain[i].value.y, kTolerance<Real> * greatest) << given.name << ", particle " << i;
+          ASSERT_NEAR(s.ax[i], plain[i].value.x, kNearContact<Real> * greatest) << given.name << ", particle " << i;
+          ASSERT_NEAR(s.ay[i], plain[i].value.y, kNearContact<Real> * greatest) << given.name << ", particle " << i;
         }
       }
     }
