@@ -1,10 +1,12 @@
 // The command line.
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
 
 #include "base/error.hpp"
+#include "base/instruction_set.hpp"
 #include "base/nearest_name.hpp"
 #include "commands/command_line.hpp"
 #include "commands/figures.hpp"
@@ -194,6 +196,7 @@ void CheckThatResultsAreOut() {
 
 int Main(int argc, char** argv) {
   try {
+    if (const char* set = std::getenv("SPHLAB_SIMD")) UseInstructionSet(set, "SPHLAB_SIMD");
     const ExitCode code = CommandLine().Run(argc, argv);
     CheckThatResultsAreOut();
     return static_cast<int>(code);

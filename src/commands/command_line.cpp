@@ -53,6 +53,8 @@ void AddSceneOptions(CLI::App& command, SceneRequest& request) {
       ->take_all()
       ->allow_extra_args(false);
   command.add_option("--solver", request.solver, "the method, in place of the scene's")->check(SolverName());
+  command.add_option("--precision", request.precision, "of the passes over neighbours: float or double")
+      ->check(CLI::IsMember({"float", "double"}));
   command.add_option("--particles", request.particles, "the same fluid with that many particles")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}));
   command.add_option("--seed", request.seed, "of the random start")->check(WholeNumber());

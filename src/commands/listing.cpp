@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/instruction_set.hpp"
 #include "headless/context.hpp"
 #include "scenes/build.hpp"
 #include "scenes/catalogue.hpp"
@@ -14,17 +15,6 @@ namespace sph {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// The widest of the processor's instruction sets that matter to arithmetic on many particles.
-std::vector<std::string> InstructionSets() {
-  std::vector<std::string> sets;
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("sse2")) sets.emplace_back("sse2");
-  if (__builtin_cpu_supports("avx2")) sets.emplace_back("avx2");
-  if (__builtin_cpu_supports("avx512f")) sets.emplace_back("avx512f");
-#endif
-  return sets;
-}
 
 std::string Joined(const std::vector<std::string>& words) {
   std::string text;
@@ -69,7 +59,7 @@ void DescribeProgram(bool json) {
   const Json info = {{"program", "sphlab"},
                      {"version", SPHLAB_VERSION},
                      {"compiler", __VERSION__},
-                     {"instruction_sets", InstructionSets()},
+                     {"instruction_sets", AvailableInstructionSets()},
                      {"threads", omp_get_num_procs()},
                      {"scenes", AssetsFolder() / "scenes"},
                      {"gl_back_ends", back_ends}};
@@ -78,7 +68,7 @@ void DescribeProgram(bool json) {
     return;
   }
   fmt::print("sphlab {}, compiled by {}\n", SPHLAB_VERSION, __VERSION__);
-  fmt::print("threads: {}; instruction sets: {}\n", omp_get_num_procs(), Joined(InstructionSets()));
+  fmt::print("threads: {}; instruction sets: {}\n", omp_get_num_procs(), Joined(AvailableInstructionSets()));
   fmt::print("scenes in {}\n", (AssetsFolder() / "scenes").string());
   for (const Json& backend : back_ends) {
     fmt::print("GL back-end {}: {}{}\n", backend["name"].get<std::string>(),

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/instruction_set.hpp"
 #include "particles/diagnostics.hpp"
 #include "scenes/build.hpp"
 
@@ -32,8 +33,8 @@ nlohmann::ordered_json ReportRun(const Session& session, double wall_seconds) {
   report["scene"] = session.CurrentScene().name;
   report["solver"] = session.CurrentScene().solver;
   report["kernel"] = system.KernelName();
-  report["precision"] = "double";
-  report["simd"] = "baseline";
+  report["precision"] = system.parameters_sph.precision == Precision::kFloat ? "float" : "double";
+  report["simd"] = InstructionSetInUse();
   report["threads"] = system.parameters.threads > 0 ? system.parameters.threads : omp_get_num_procs();
   report["seed"] = system.parameters.seed;
   report["particles"] = particles;

@@ -32,7 +32,7 @@ std::string Scientific(double value) {
 
 Plot ToyStarProfile(const ParticleSystem& system, const ToyStar& star) {
   const Particles& state = system.State();
-  const std::span<const double> density = system.Density();
+  const std::vector<double> density = system.Density();
   std::vector<double> r(state.Size());
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = Length(state.Position(i));
   const DensityErrors errors = CompareDensity(star, state.x, state.y, density);
@@ -44,8 +44,8 @@ Plot ToyStarProfile(const ParticleSystem& system, const ToyStar& star) {
   plot.x.low = 0;
   plot.y.label = "density ρ [kg/m³]";
   plot.y.low = 0;
-  plot.series.push_back(Scatter(fmt::format("particles, mean square error {} kg²/m⁶", Scientific(errors.mse)), r,
-                                {density.begin(), density.end()}));
+  plot.series.push_back(
+      Scatter(fmt::format("particles, mean square error {} kg²/m⁶", Scientific(errors.mse)), r, density));
   plot.series.back().colour = kPalette[0];
   plot.series.push_back(ExactProfile(star));
   return plot;

@@ -24,7 +24,8 @@ struct Parameters {
   std::uint64_t seed = 1;          ///< of the random start
   std::size_t particle_limit = 0;  ///< DropBlock refuses to go above this number
 
-  double time_step = 0;  ///< [s]
+  double time_step = 0;        ///< [s]; the first one if the step is adaptive
+  bool adaptive_step = false;  ///< each step the largest that the stability limits allow
   Integration integration = Integration::kLeapFrog;
   Vec2 gravity;               ///< [m/s^2]
   double central_force = 0;   ///< lambda [1/s^2]: a = -lambda x (paper, eq. 21)

@@ -9,6 +9,14 @@
 #include "base/check.hpp"
 
 namespace sph {
+namespace {
+
+/// The unit of work of the passes over single particles.
+constexpr std::size_t kParticlesPerChunk = 1024;
+
+bool Inside(const Box& box, double x, double y) { return x >= box.x0 && x <= box.x1 && y >= box.y0 && y <= box.y1; }
+
+}  // namespace
 
 std::string Instability::Message() const {
   return fmt::format("step {}, t = {:.6g} s: particle {} at ({:.4g}, {:.4g}) m with velocity ({:.4g}, {:.4g}) m/s: {}",
@@ -27,16 +35,20 @@ void ParticleSystem::Reset() {
   trouble_.reset();
   time_ = 0;
   steps_ = 0;
-  deepest_ = 0;
+  previous_step_ = parameters.time_step;
+  deepest_ = last_travel_ = travelled_ = 0;
   phases_.Clear();
   particles_.Clear();
+  behind_wall_.clear();
   InitialPositions();
+  ForgetNeighbours();
   StepBackwards(0);
 }
 
 void ParticleSystem::Step() {
   if (trouble_) return;
   ComputeAccelerations();
+  if (parameters.adaptive_step) ChooseStep();
   Integrate();
 }
 
@@ -44,7 +56,7 @@ void ParticleSystem::Step() {
 void ParticleSystem::StepBackwards(std::uint32_t first_id) {
   ComputeAccelerations();  // in any case: a view may want the fields before the next step
   if (parameters.integration == Integration::kSymplecticEuler) return;
-  const double half = 0.5 * parameters.time_step;
+  const double half = 0.5 * previous_step_;
   // The second-order form has its damping in Integrate, not in the acceleration.
   const double nu = parameters.integration == Integration::kLeapFrog ? parameters.motion_damping : 0.0;
   for (std::size_t i = 0; i < particles_.Size(); ++i) {
@@ -88,41 +100,47 @@ std::string ParticleSystem::DropBlock() {
   if (places.empty()) return "no room for another block: wait until the last one has fallen";
   const auto first_id = static_cast<std::uint32_t>(particles_.Size());
   for (const Vec2 place : places) particles_.Add(place, drop.velocity, parameters.particle_mass);
+  behind_wall_.clear();
+  ForgetNeighbours();
   StepBackwards(first_id);
   return {};
 }
 
 void ParticleSystem::ComputeAccelerations() {
-  std::fill(particles_.ax.begin(), particles_.ax.end(), 0.0);
-  std::fill(particles_.ay.begin(), particles_.ay.end(), 0.0);
-  AddGravity();
-  AddMotionDamping();
+  ClearAccelerations(0, particles_.Size());
+  AddGravity(0, particles_.Size());
+  AddMotionDamping(0, particles_.Size());
 }
 
-void ParticleSystem::AddGravity() {
+void ParticleSystem::ClearAccelerations(std::size_t first, std::size_t last) {
+  std::fill(particles_.ax.data() + first, particles_.ax.data() + last, 0.0);
+  std::fill(particles_.ay.data() + first, particles_.ay.data() + last, 0.0);
+}
+
+void ParticleSystem::AddGravity(std::size_t first, std::size_t last) {
   Particles& p = particles_;
   const Vec2 gravity = parameters.gravity;
   const double lambda = parameters.central_force;
   if (lambda != 0) {
-    for (std::size_t i = 0; i < p.Size(); ++i) {
+    for (std::size_t i = first; i < last; ++i) {
       p.ax[i] += gravity.x - lambda * p.x[i];
       p.ay[i] += gravity.y - lambda * p.y[i];
     }
   } else if (gravity != Vec2{}) {
-    for (std::size_t i = 0; i < p.Size(); ++i) {
+    for (std::size_t i = first; i < last; ++i) {
       p.ax[i] += gravity.x;
       p.ay[i] += gravity.y;
     }
   }
 }
 
-void ParticleSystem::AddMotionDamping() {
+void ParticleSystem::AddMotionDamping(std::size_t first, std::size_t last) {
   // The second-order leapfrog takes the damping into its own step (see Integrate), where it costs nothing and does not
   // lag.
   const double nu = parameters.motion_damping;
   if (nu == 0 || parameters.integration == Integration::kLeapFrog) return;
   Particles& p = particles_;
-  for (std::size_t i = 0; i < p.Size(); ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     p.ax[i] -= nu * p.vx[i];
     p.ay[i] -= nu * p.vy[i];
   }
@@ -130,7 +148,9 @@ void ParticleSystem::AddMotionDamping() {
 
 void ParticleSystem::Boundaries(std::size_t i) {
   Particles& p = particles_;
-  const double dt = parameters.time_step;
+  const double before =
+      0.5 * previous_step_;  // v- is as long before t as half the last step, v+ after it half the next
+  const double after = 0.5 * parameters.time_step;
   double damping = 0;  // [1/s], of all the walls that the particle is in
   for (const Wall& wall : parameters.walls) {
     const double depth = wall.Depth(p.Position(i));
@@ -149,25 +169,49 @@ void ParticleSystem::Boundaries(std::size_t i) {
     return;
   }
   // Integrate knows the motion damping nu only. This is the acceleration with which its step comes out as the step of
-  // the second-order form with nu + damping: v+ = [v- (1 - n dt/2) + a dt]/(1 + n dt/2), n = nu + damping.
-  const double with_nu = 1 + 0.5 * parameters.motion_damping * dt;
-  const double share = with_nu / (with_nu + 0.5 * damping * dt);
+  // the second-order form with n = nu + damping: v+ = [v- (1 - n before) + a (before + after)]/(1 + n after).
+  const double nu = parameters.motion_damping;
+  const double span = before + after;
   const auto damped = [&](double a, double v_prev) {
-    const double undamped_rest = v_prev * (2 - with_nu);  // v- (1 - nu dt/2)
-    return (share * (undamped_rest - 0.5 * damping * dt * v_prev + a * dt) - undamped_rest) / dt;
+    const double wanted = (v_prev * (1 - (nu + damping) * before) + a * span) / (1 + (nu + damping) * after);
+    return (wanted * (1 + nu * after) - v_prev * (1 - nu * before)) / span;
   };
   p.ax[i] = damped(p.ax[i], p.vx_prev[i]);
   p.ay[i] = damped(p.ay[i], p.vy_prev[i]);
+}
+
+/// The largest step that the limits allow, but not much longer than the last one: an estimate from one state must not
+/// run ahead of what the next states turn out to be.
+void ParticleSystem::ChooseStep() {
+  constexpr double kLargestGrowth = 1.1;
+  const double largest = LargestStep(StepLimits());
+  parameters.time_step =
+      steps_ == 0 ? std::min(largest, parameters.time_step) : std::min(largest, kLargestGrowth * previous_step_);
+}
+
+std::vector<StepLimit> ParticleSystem::StepLimits() const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const Parameters& p = parameters;
+  const bool penalty = !p.walls.empty() && p.wall.kind == WallKind::kPenalty && p.wall.stiffness > 0;
+  return {
+      {"wall stiffness", penalty ? 2 / std::sqrt(p.wall.stiffness) : kNone},
+      {"central force", p.central_force > 0 ? 2 / std::sqrt(p.central_force) : kNone},
+  };
 }
 
 void ParticleSystem::AddWallForces() {
   if (parameters.walls.empty() || parameters.wall.kind != WallKind::kPenalty) return;
   const PhaseTimer timer(phases_, "walls");
   const Box legal = LegalRegion(parameters.walls);
-  for (std::size_t i = 0; i < particles_.Size(); ++i) {
-    const double x = particles_.x[i];
-    const double y = particles_.y[i];
-    if (x < legal.x0 || x > legal.x1 || y < legal.y0 || y > legal.y1) Boundaries(i);
+  // A wall that was moved by hand since the last step, or new particles: what that step noted no longer holds.
+  const bool noted = legal == legal_ && !behind_wall_.empty();
+  const std::size_t n = particles_.Size();
+  for (std::size_t first = 0, chunk = 0; first < n; first += kParticlesPerChunk, ++chunk) {
+    if (noted && behind_wall_[chunk] == 0) continue;
+    const std::size_t last = std::min(first + kParticlesPerChunk, n);
+    for (std::size_t i = first; i < last; ++i) {
+      if (!Inside(legal, particles_.x[i], particles_.y[i])) Boundaries(i);
+    }
   }
 }
 
@@ -177,38 +221,82 @@ void ParticleSystem::Integrate() {
   {
     const PhaseTimer timer(phases_, "integrate");
     const double dt = parameters.time_step;
-    const bool euler = parameters.integration == Integration::kSymplecticEuler;
-    const bool second_order = parameters.integration == Integration::kLeapFrog;
-    // v+ = [v- (1 - nu dt/2) + a dt]/(1 + nu dt/2); the other forms have their damping in the acceleration already.
-    const double half_damping = second_order ? 0.5 * parameters.motion_damping * dt : 0.0;
-    const double keep = (1 - half_damping) / (1 + half_damping);
-    const double gain = dt / (1 + half_damping);
-    // The velocity kept beside the half steps: v(t + dt) extrapolated to second order; as published, eq. 15's v(t).
-    const double of_new = euler ? 1.0 : second_order ? 1.5 : 0.5;
-    const double of_old = euler ? 0.0 : second_order ? -0.5 : 0.5;
-    const double longest = LongestMove() / dt;
-    const double fastest_allowed = longest * longest;
-    Particles& p = particles_;
-    int broken = 0;
-    const std::size_t n = p.Size();
-#pragma omp parallel for schedule(static) num_threads(ThreadCount()) reduction(| : broken) if (n > 10000)
-    for (std::size_t i = 0; i < n; ++i) {
-      const double ux = keep * p.vx_prev[i] + gain * p.ax[i];
-      const double uy = keep * p.vy_prev[i] + gain * p.ay[i];
-      p.x[i] += ux * dt;
-      p.y[i] += uy * dt;
-      p.vx[i] = of_new * ux + of_old * p.vx_prev[i];
-      p.vy[i] = of_new * uy + of_old * p.vy_prev[i];
-      p.vx_prev[i] = ux;
-      p.vy_prev[i] = uy;
-      broken |= static_cast<int>(!(ux * ux + uy * uy <= fastest_allowed));  // true for a NaN, too
-    }
     MoveWalls(parameters.walls, dt);
+    legal_ = LegalRegion(parameters.walls);
+    const std::size_t n = particles_.Size();
+    const std::size_t chunks = (n + kParticlesPerChunk - 1) / kParticlesPerChunk;
+    behind_wall_.resize(chunks);
+    double fastest2 = 0;  // [m^2/s^2]
+    bool finite = true;
+#pragma omp parallel for schedule(static) num_threads(ThreadCount()) reduction(max : fastest2) \
+    reduction(&& : finite) if (chunks > 8)
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      const std::size_t first = chunk * kParticlesPerChunk;
+      const double speed2 = Advance(first, std::min(first + kParticlesPerChunk, n), behind_wall_[chunk]);
+      finite = finite && std::isfinite(speed2);
+      fastest2 = std::max(fastest2, speed2);
+    }
+    previous_step_ = dt;
+    last_travel_ = std::sqrt(fastest2) * dt;
+    travelled_ += last_travel_;
     time_ += dt;
     ++steps_;
-    if (broken != 0) ReportTrouble();
+    if (!finite || last_travel_ > LongestMove()) ReportTrouble();
   }
   ReflectFromWalls();
+}
+
+/// One leapfrog step of the particles first ... last - 1.
+/// @param behind_wall  set to whether one of them is behind a wall afterwards
+/// @return the square of the highest speed [m^2/s^2]; not a number if that of a particle is not
+double ParticleSystem::Advance(std::size_t first, std::size_t last, char& behind_wall) {
+  const double dt = parameters.time_step;
+  const double before = 0.5 * previous_step_;
+  const double after = 0.5 * dt;
+  const bool euler = parameters.integration == Integration::kSymplecticEuler;
+  const bool second_order = parameters.integration == Integration::kLeapFrog;
+  // v+ = [v- (1 - nu before) + a (before + after)]/(1 + nu after); with equal steps both are dt/2. The other forms have
+  // their damping in the acceleration already.
+  const double nu = second_order ? parameters.motion_damping : 0.0;
+  const double keep = (1 - nu * before) / (1 + nu * after);
+  const double gain = (before + after) / (1 + nu * after);
+  // The velocity kept beside the half steps: v(t + dt) extrapolated to second order; as published, eq. 15's v(t).
+  const double ahead = after / (before + after);
+  const double of_new = euler ? 1.0 : second_order ? 1 + ahead : 0.5;
+  const double of_old = euler ? 0.0 : second_order ? -ahead : 0.5;
+  const Box legal = legal_;
+  double* const x = particles_.x.data();
+  double* const y = particles_.y.data();
+  double* const vx = particles_.vx.data();
+  double* const vy = particles_.vy.data();
+  double* const vx_prev = particles_.vx_prev.data();
+  double* const vy_prev = particles_.vy_prev.data();
+  const double* const ax = particles_.ax.data();
+  const double* const ay = particles_.ay.data();
+  double fastest2 = 0;
+  double sum2 = 0;  // not a number if one of the speeds is not, which a maximum may hide
+  double outside = 0;
+#pragma omp simd reduction(max : fastest2) reduction(+ : sum2, outside)
+  for (std::size_t i = first; i < last; ++i) {
+    const double ux = keep * vx_prev[i] + gain * ax[i];
+    const double uy = keep * vy_prev[i] + gain * ay[i];
+    const double new_x = x[i] + ux * dt;
+    const double new_y = y[i] + uy * dt;
+    x[i] = new_x;
+    y[i] = new_y;
+    vx[i] = of_new * ux + of_old * vx_prev[i];
+    vy[i] = of_new * uy + of_old * vy_prev[i];
+    vx_prev[i] = ux;
+    vy_prev[i] = uy;
+    const double speed2 = ux * ux + uy * uy;
+    fastest2 = std::max(fastest2, speed2);
+    sum2 += speed2;
+    const double beyond_x = std::max(legal.x0 - new_x, new_x - legal.x1);
+    const double beyond_y = std::max(legal.y0 - new_y, new_y - legal.y1);
+    outside += std::max(beyond_x, beyond_y) > 0 ? 1.0 : 0.0;
+  }
+  behind_wall = outside > 0 ? 1 : 0;
+  return std::isfinite(sum2) ? fastest2 : sum2;
 }
 
 void ParticleSystem::ReflectFromWalls() {
@@ -252,15 +340,13 @@ void ParticleSystem::ReportTrouble() {
 
 void ParticleSystem::Draw(Canvas& canvas) const {
   const Particles& p = particles_;
-  std::vector<double> speed;
-  std::span<const double> values;
+  std::vector<double> values;
   switch (canvas.WantedColouring()) {
     case Colouring::kBlackDisks:
       break;
     case Colouring::kSpeed:
-      speed.resize(p.Size());
-      for (std::size_t i = 0; i < p.Size(); ++i) speed[i] = Length(p.Velocity(i));
-      values = speed;
+      values.resize(p.Size());
+      for (std::size_t i = 0; i < p.Size(); ++i) values[i] = Length(p.Velocity(i));
       break;
     case Colouring::kPressure:
       values = Pressure();

@@ -9,6 +9,7 @@
 #include "particles/canvas.hpp"
 #include "particles/parameters.hpp"
 #include "particles/particles.hpp"
+#include "particles/step_limit.hpp"
 
 namespace sph {
 
@@ -76,8 +77,11 @@ class ParticleSystem {
   /// Sum over the particles of mass times specific internal energy [J/m]; 0 for particles without pressure.
   virtual double InternalEnergy() const { return 0; }
   /// Density [kg/m^3], pressure [Pa] of each particle, in State()'s order; empty where the system has none.
-  virtual std::span<const double> Density() const { return {}; }
-  virtual std::span<const double> Pressure() const { return {}; }
+  virtual std::vector<double> Density() const { return {}; }
+  virtual std::vector<double> Pressure() const { return {}; }
+
+  /// The limits on the time step in the present state; accelerations and density must be those of the current time.
+  virtual std::vector<StepLimit> StepLimits() const;
 
   /// May be changed between steps.
   Parameters parameters;
@@ -85,8 +89,10 @@ class ParticleSystem {
  protected:
   /// The penalty force and damping of every wall that particle i is inside of (paper, IV-D).
   void Boundaries(std::size_t i);
-  void AddGravity();
-  void AddMotionDamping();
+  /// These two, and ClearAccelerations, act on the particles first ... last - 1.
+  void AddGravity(std::size_t first, std::size_t last);
+  void AddMotionDamping(std::size_t first, std::size_t last);
+  void ClearAccelerations(std::size_t first, std::size_t last);
   virtual void ComputeAccelerations();
   virtual void InitialPositions();
   /// All parameters as they were constructed.
@@ -95,13 +101,21 @@ class ParticleSystem {
   virtual double LongestMove() const;
 
   int ThreadCount() const;
+  /// How far the fastest particle went in the last step [m].
+  double LastTravel() const { return last_travel_; }
+  /// The sum of that over all steps: no particle went further since the start [m].
+  double Travelled() const { return travelled_; }
+  /// Called when particles were added, removed or moved by other means than a step.
+  virtual void ForgetNeighbours() {}
 
   Particles particles_;
   PhaseTimes phases_;
 
  private:
   void AddWallForces();
+  void ChooseStep();
   void Integrate();
+  double Advance(std::size_t first, std::size_t last, char& behind_wall);
   void ReflectFromWalls();
   void StepBackwards(std::uint32_t first_id);
   void ReportTrouble();
@@ -111,6 +125,13 @@ class ParticleSystem {
   double time_ = 0;
   long steps_ = 0;
   double deepest_ = 0;
+  double previous_step_ = 0;  // [s], of the last step
+  double last_travel_ = 0;
+  double travelled_ = 0;
+  // Which chunks of kParticlesPerChunk particles had one behind a wall after the last step, the walls then leaving
+  // legal_.
+  std::vector<char> behind_wall_;
+  Box legal_;
 };
 
 }  // namespace sph

@@ -29,6 +29,15 @@ void Particles::Clear() {
   id.clear();
 }
 
+std::size_t Particles::Bytes() const {
+  std::size_t bytes =
+      sizeof(std::uint32_t) * (id.capacity() + id_scratch_.capacity()) + sizeof(double) * scratch_.capacity();
+  for (const auto* component : {&x, &y, &vx, &vy, &vx_prev, &vy_prev, &ax, &ay, &mass}) {
+    bytes += sizeof(double) * component->capacity();
+  }
+  return bytes;
+}
+
 void Particles::Reorder(std::span<const std::uint32_t> order) {
   SPH_CHECK(order.size() == Size(), "{} places for {} particles", order.size(), Size());
   for (auto* component : {&x, &y, &vx, &vy, &vx_prev, &vy_prev, &ax, &ay, &mass}) Gather(*component, order, scratch_);

@@ -26,6 +26,8 @@ struct Particles {
   /// Appends a particle whose half-step velocity equals its velocity and whose acceleration is 0.
   void Add(Vec2 position, Vec2 velocity, double particle_mass);
   void Clear();
+  /// Of all arrays.
+  std::size_t Bytes() const;
 
   /// Element k becomes the former element order[k]. `order` is a permutation of 0 ... Size() - 1.
   void Reorder(std::span<const std::uint32_t> order);

@@ -13,6 +13,7 @@ struct SceneRequest {
   std::string scene = "dam-break";    ///< a name in the catalogue, or a path to a .toml file
   std::vector<std::string> settings;  ///< "KEY=VALUE"
   std::optional<std::string> solver;
+  std::optional<std::string> precision;  ///< "float" or "double"
   std::optional<std::size_t> particles;  ///< rescales the scene, see ScaleToParticles
   std::optional<std::uint64_t> seed;
   int threads = 0;  ///< 0: as many as there are processors

@@ -15,6 +15,8 @@ const std::vector<std::string> kIntegrations = {"leapfrog", "leapfrog-published"
 const std::vector<std::string> kWallKinds = {"penalty", "reflect"};
 const std::vector<std::string> kWallScalings = {"derived", "published"};
 const std::vector<std::string> kReferences = {"none", "static-star"};
+const std::vector<std::string> kSteps = {"fixed", "adaptive"};
+const std::vector<std::string> kPrecisions = {"float", "double"};
 const std::vector<std::string> kForms = {"right", "published"};
 const std::vector<std::string> kFluidSides = {"left", "right", "below", "above"};
 
@@ -114,7 +116,12 @@ std::span<const SceneKey> AllSceneKeys() {
 
       {"method.smoothing_length", "h [m]; the support radius for solver mueller", kStart, true,
        Number(positive, [](S& s) -> double& { return s.sph.smoothing_length; })},
-      {"method.time_step", "dt [s]", kAny, true, Number(positive, [](S& s) -> double& { return s.base.time_step; })},
+      {"method.step", "fixed, or the largest that the stability limits allow", kStart, false,
+       [](S& s, const V& v) { s.base.adaptive_step = v.AsChoice(kSteps) == 1; }},
+      {"method.precision", "of the passes over neighbours", kStart, false,
+       Choice(kPrecisions, [](S& s) -> Precision& { return s.sph.precision; })},
+      {"method.time_step", "dt [s]; the first one if the step is adaptive", kAny, true,
+       Number(positive, [](S& s) -> double& { return s.base.time_step; })},
       {"method.integration", "how velocities and positions advance", kStart, false,
        Choice(kIntegrations, [](S& s) -> Integration& { return s.base.integration; })},
       {"method.form", "solver mueller: right in the plane, or as first published", kStart, false,

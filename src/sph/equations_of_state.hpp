@@ -1,4 +1,4 @@
-// Equations of state: pressure, speed of sound and specific internal energy of a given density.
+// Equations of state: pressure (in the precision of the density), speed of sound and specific internal energy.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,10 @@ namespace sph {
 struct Polytrope {
   double k = 0;  ///< [Pa m^4/kg^2]
 
-  double Pressure(double rho) const { return k * rho * rho; }
+  template <typename Real>
+  Real Pressure(Real rho) const {
+    return static_cast<Real>(k) * rho * rho;
+  }
   /// c [m/s], c^2 = dP/drho.
   double SoundSpeed(double rho) const { return std::sqrt(2 * k * rho); }
   /// u [J/kg], du/drho = P/rho^2.
@@ -23,7 +26,10 @@ struct Tait {
   double rho0 = 0;      ///< [kg/m^3]
   double exponent = 7;  ///< gamma > 1
 
-  double Pressure(double rho) const { return k * (Power(rho / rho0) - 1); }
+  template <typename Real>
+  Real Pressure(Real rho) const {
+    return static_cast<Real>(k) * (Power(rho / static_cast<Real>(rho0)) - 1);
+  }
   double SoundSpeed(double rho) const { return std::sqrt(exponent * k / rho * Power(rho / rho0)); }
   /// u is 0 at rho0.
   double InternalEnergy(double rho) const {
@@ -31,9 +37,10 @@ struct Tait {
   }
 
  private:
-  double Power(double s) const {
-    if (exponent != 7) return std::pow(s, exponent);
-    const double s2 = s * s;
+  template <typename Real>
+  Real Power(Real s) const {
+    if (exponent != 7) return std::pow(s, static_cast<Real>(exponent));
+    const Real s2 = s * s;
     return s2 * s2 * s2 * s;
   }
 };
@@ -43,7 +50,10 @@ struct IdealGas {
   double k = 0;     ///< [m^2/s^2]
   double rho0 = 0;  ///< [kg/m^3]
 
-  double Pressure(double rho) const { return k * (rho - rho0); }
+  template <typename Real>
+  Real Pressure(Real rho) const {
+    return static_cast<Real>(k) * (rho - static_cast<Real>(rho0));
+  }
   double SoundSpeed(double) const { return std::sqrt(k); }
   /// u is 0 at rho0.
   double InternalEnergy(double rho) const { return k * (std::log(rho / rho0) + rho0 / rho - 1); }

@@ -1,48 +1,86 @@
 #include "sph/mueller.hpp"
 
-#include "sph/density_summation.hpp"
-#include "sph/mueller_forces.hpp"
+#include <algorithm>
 
 namespace sph {
 
-void Mueller::ComputeDensities(const NeighbourBlock& block) {
-  ComputeDensity(block, Poly6(Support()), particles_.mass, density_);
+Mueller::Mueller(const Parameters& base, const ParametersSPH& sph) : ParticleSystemSPH(base, sph) {
+  if (sph.precision == Precision::kDouble) arrays_ = Arrays<double>();
 }
 
-void Mueller::AddSpatialInteraction() {
-  const PhaseTimer timer(phases_, "pressure and viscosity");
-  Particles& p = particles_;
-  const MuellerArrays arrays{p.x, p.y, p.vx, p.vy, p.mass, density_, pressure_, p.ax, p.ay};
-  const ViscosityKernel viscosity_kernel(Support());
-  const double mu = parameters_sph.viscosity;
-  const auto add = [&](const auto& slope) {
-    ForEachBlock([&](const NeighbourBlock& block) { AddMuellerForces(block, slope, viscosity_kernel, mu, arrays); });
-  };
-  if (parameters_sph.mueller_published) {
-    add(PublishedSpikySlope(Support()));
-  } else {
-    add(SpikySlope(Support()));
-  }
+void Mueller::ResizeArrays(std::size_t n) {
+  ParticleSystemSPH::ResizeArrays(n);
+  std::visit(
+      [n](auto& arrays) {
+        for (auto* values : {&arrays.volume, &arrays.pressure, &arrays.vx, &arrays.vy}) values->resize(n + kPadding);
+      },
+      arrays_);
 }
 
-void Mueller::ComputeAccelerations() {
-  ParticleSystemSPH::ComputeAccelerations();
-  if (!parameters_sph.mueller_published) return;
+void Mueller::ComputeDensities(const ListBlock& block) {
+  std::visit([&](auto& fluid) { ComputePoly6Density(InputOf(fluid), block, fluid.density.data()); }, fluid_);
+}
+
+void Mueller::PrepareInteraction(std::size_t first, std::size_t last) {
+  const Particles& p = particles_;
+  std::visit(
+      [&]<typename Real>(const FluidArrays<Real>& fluid, const auto& equation_of_state) {
+        auto& arrays = std::get<Arrays<Real>>(arrays_);
+        for (std::size_t i = first; i < last; ++i) {
+          arrays.volume[i] = static_cast<Real>(p.mass[i]) / fluid.density[i];
+          arrays.pressure[i] = equation_of_state.Pressure(fluid.density[i]);
+          arrays.vx[i] = static_cast<Real>(p.vx[i]);
+          arrays.vy[i] = static_cast<Real>(p.vy[i]);
+        }
+      },
+      fluid_, parameters_sph.equation_of_state);
+}
+
+void Mueller::AddSpatialInteraction(const ListBlock& block) {
   Particles& p = particles_;
-  for (std::size_t i = 0; i < p.Size(); ++i) {
-    const double excess = p.mass[i] / (density_[i] * density_[i]) - 1;  // gravity itself has been added once
-    p.ax[i] += excess * parameters.gravity.x;
-    p.ay[i] += excess * parameters.gravity.y;
+  std::visit(
+      [&]<typename Real>(const FluidArrays<Real>& fluid) {
+        const auto& arrays = std::get<Arrays<Real>>(arrays_);
+        const MuellerInput<Real> input{arrays.volume.data(),
+                                       arrays.pressure.data(),
+                                       fluid.density.data(),
+                                       arrays.vx.data(),
+                                       arrays.vy.data(),
+                                       parameters_sph.viscosity,
+                                       parameters_sph.mueller_published};
+        AddMuellerForces(InputOf(fluid), input, block, p.ax.data(), p.ay.data());
+        if (!parameters_sph.mueller_published) return;
+        const auto [first, last] = ParticlesOf(block);
+        for (std::size_t i = first; i < last; ++i) {
+          const double rho = fluid.density[i];
+          const double excess = p.mass[i] / (rho * rho) - 1;  // gravity itself is added to every system
+          p.ax[i] += excess * parameters.gravity.x;
+          p.ay[i] += excess * parameters.gravity.y;
+        }
+      },
+      fluid_);
+}
+
+std::vector<StepLimit> Mueller::StepLimits() const {
+  std::vector<StepLimit> limits = ParticleSystemSPH::StepLimits();
+  if (parameters_sph.viscosity > 0) {
+    const double least = std::visit(
+        [&](const auto& fluid) {
+          return static_cast<double>(*std::min_element(fluid.density.begin(), fluid.density.end() - kPadding));
+        },
+        fluid_);
+    const double h = 0.5 * Support();
+    limits.push_back({"viscosity", 0.3 * h * h * least / parameters_sph.viscosity});
   }
+  return limits;
 }
 
 std::vector<PassPlan> Mueller::Plan() const {
   std::vector<PassPlan> plan = ParticleSystemSPH::Plan();
   const bool viscous = parameters_sph.viscosity != 0;
   for (PassPlan& pass : plan) {
-    if (pass.name == "density") pass.reason = "neighbours, Poly6 density and ideal-gas pressure";
+    if (pass.name == "density") pass.reason = "Poly6 density and ideal-gas pressure";
     if (pass.name != "pressure") continue;
-    pass.name = "pressure and viscosity";
     pass.reason = viscous ? "Spiky pressure and viscosity in one pass" : "Spiky pressure; viscosity is 0 and left out";
   }
   return plan;

@@ -6,20 +6,31 @@
 namespace sph {
 
 /// Poly6 density, Spiky pressure, Viscosity kernel [Mueller, Charypar & Gross 2003]. `smoothing_length` is the support
-/// radius. With parameters_sph.mueller_published it repeats the tutorial's program as first published:
-/// PublishedSpikySlope, and gravity multiplied by m/rho^2.
+/// radius. With parameters_sph.mueller_published it repeats the tutorial's program as first published: see
+/// AddMuellerForces for its kernel gradient; its gravity is multiplied by m/rho^2.
 class Mueller final : public ParticleSystemSPH {
  public:
-  using ParticleSystemSPH::ParticleSystemSPH;
+  Mueller(const Parameters& base, const ParametersSPH& sph);
 
   std::string KernelName() const override { return "Poly6, Spiky, Viscosity"; }
   double Support() const override { return parameters_sph.smoothing_length; }
   std::vector<PassPlan> Plan() const override;
+  std::vector<StepLimit> StepLimits() const override;
 
  protected:
-  void ComputeAccelerations() override;
-  void ComputeDensities(const NeighbourBlock& block) override;
-  void AddSpatialInteraction() override;
+  void ResizeArrays(std::size_t n) override;
+  void ComputeDensities(const ListBlock& block) override;
+  void PrepareInteraction(std::size_t first, std::size_t last) override;
+  void AddSpatialInteraction(const ListBlock& block) override;
+
+ private:
+  template <typename Real>
+  struct Arrays {
+    std::vector<Real> volume;    // m/rho [m^2]
+    std::vector<Real> pressure;  // [Pa]
+    std::vector<Real> vx, vy;    // [m/s]
+  };
+  std::variant<Arrays<float>, Arrays<double>> arrays_;  // of the same precision as fluid_
 };
 
 }  // namespace sph

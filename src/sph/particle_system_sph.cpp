@@ -1,15 +1,14 @@
 #include "sph/particle_system_sph.hpp"
 
 #include <algorithm>
-
-#include "sph/density_summation.hpp"
-#include "sph/pressure_acceleration.hpp"
+#include <limits>
 
 namespace sph {
 
 ParticleSystemSPH::ParticleSystemSPH(const Parameters& base, const ParametersSPH& sph)
     : ParticleSystem(base), parameters_sph(sph), initial_parameters_sph_(sph) {
   SPH_CHECK(sph.smoothing_length > 0, "h = {}", sph.smoothing_length);
+  if (sph.precision == Precision::kDouble) fluid_ = FluidArrays<double>();
 }
 
 void ParticleSystemSPH::RestoreParameters() {
@@ -17,79 +16,186 @@ void ParticleSystemSPH::RestoreParameters() {
   parameters_sph = initial_parameters_sph_;
 }
 
+void ParticleSystemSPH::ForgetNeighbours() { neighbours_.Invalidate(); }
+
 void ParticleSystemSPH::ComputeAccelerations() {
   ComputePressures();
-  std::fill(particles_.ax.begin(), particles_.ax.end(), 0.0);
-  std::fill(particles_.ay.begin(), particles_.ay.end(), 0.0);
-  AddSpatialInteraction();
-  AddGravity();
-  AddMotionDamping();
+  const PhaseTimer timer(phases_, "pressure");
+  ForEachBlock([&](const ListBlock& block) {
+    const auto [first, last] = ParticlesOf(block);
+    ClearAccelerations(first, last);
+    AddSpatialInteraction(block);
+    AddGravity(first, last);
+    AddMotionDamping(first, last);
+  });
 }
 
 void ParticleSystemSPH::PrepareGrid() {
   const PhaseTimer timer(phases_, "grid");
-  grid_.Build(particles_.x, particles_.y, Support());
-  if (!grid_.InOrder()) particles_.Reorder(grid_.Order());
+  Particles& p = particles_;
+  std::visit(
+      [&]<typename Real>(FluidArrays<Real>& fluid) {
+        const SearchTask task = neighbours_.NextTask(Travelled(), Support());
+        if (task == SearchTask::kSort) {
+          neighbours_.Sort(p.x, p.y, InitialSpacing(), Lanes<Real>());
+          p.Reorder(neighbours_.Order());
+          neighbours_.Cut(p.x, p.y);
+          const bool equal = std::adjacent_find(p.mass.begin(), p.mass.end(), std::not_equal_to<>()) == p.mass.end();
+          equal ? fluid.mass.clear() : Convert<Real>(p.mass, fluid.mass);
+          ResizeArrays(p.Size());
+        }
+        fluid.positions.Set(p.x, p.y, Support());
+        if (task == SearchTask::kNothing) return;
+        neighbours_.Prepare(p.x, p.y, LastTravel());
+        ForEachBlock([&](ListBlock& block) {
+          FindNeighbours<Real>(neighbours_.Clusters(), neighbours_.Boxes(), fluid.positions, Support(),
+                               neighbours_.Reach(), block);
+        });
+        neighbours_.Finish();
+      },
+      fluid_);
 }
 
-void ParticleSystemSPH::ComputeDensities(const NeighbourBlock& block) {
-  ComputeDensity(block, CubicSpline<2>(parameters_sph.smoothing_length), particles_.mass, density_);
+void ParticleSystemSPH::ResizeArrays(std::size_t n) {
+  std::visit(
+      [n](auto& fluid) {
+        fluid.density.resize(n + kPadding);
+        fluid.pressure_term.resize(n + kPadding);
+      },
+      fluid_);
+}
+
+void ParticleSystemSPH::ComputeDensities(const ListBlock& block) {
+  std::visit([&](auto& fluid) { ComputeCubicSplineDensity(InputOf(fluid), block, fluid.density.data()); }, fluid_);
+}
+
+void ParticleSystemSPH::PrepareInteraction(std::size_t first, std::size_t last) {
+  std::visit(
+      [&]<typename Real>(FluidArrays<Real>& fluid, const auto& equation_of_state) {
+        for (std::size_t i = first; i < last; ++i) {
+          const Real rho = fluid.density[i];
+          fluid.pressure_term[i] = equation_of_state.Pressure(rho) / (rho * rho);
+        }
+      },
+      fluid_, parameters_sph.equation_of_state);
 }
 
 void ParticleSystemSPH::ComputePressures() {
   PrepareGrid();
   const PhaseTimer timer(phases_, "density");
-  const std::size_t n = particles_.Size();
-  for (auto* values : {&density_, &pressure_, &pressure_term_}) values->resize(n);
-  neighbours_.resize((n + kParticlesPerBlock - 1) / kParticlesPerBlock);
-  const double reach = Support();
-  std::visit(
-      [&](const auto& equation_of_state) {
-        ForEachBlock([&](NeighbourBlock& block) {
-          const std::size_t first = static_cast<std::size_t>(&block - neighbours_.data()) * kParticlesPerBlock;
-          const std::size_t last = std::min(first + kParticlesPerBlock, n);
-          block.Find(grid_, particles_.x, particles_.y, reach, first, last - first);
-          ComputeDensities(block);
-          for (std::size_t i = first; i < last; ++i) {
-            pressure_[i] = equation_of_state.Pressure(density_[i]);
-            pressure_term_[i] = pressure_[i] / (density_[i] * density_[i]);
-          }
-        });
-      },
-      parameters_sph.equation_of_state);
-}
-
-void ParticleSystemSPH::AddSpatialInteraction() {
-  const PhaseTimer timer(phases_, "pressure");
-  const CubicSpline<2> kernel(parameters_sph.smoothing_length);
-  ForEachBlock([&](const NeighbourBlock& block) {
-    AddPressureAcceleration(block, kernel, particles_.x, particles_.y, particles_.mass, pressure_term_, particles_.ax,
-                            particles_.ay);
+  ForEachBlock([&](const ListBlock& block) {
+    ComputeDensities(block);
+    const auto [first, last] = ParticlesOf(block);
+    PrepareInteraction(first, last);
   });
 }
 
+void ParticleSystemSPH::AddSpatialInteraction(const ListBlock& block) {
+  std::visit(
+      [&](auto& fluid) {
+        AddCubicSplinePressure(InputOf(fluid), block, fluid.pressure_term.data(), particles_.ax.data(),
+                               particles_.ay.data());
+      },
+      fluid_);
+}
+
+std::pair<std::size_t, std::size_t> ParticleSystemSPH::ParticlesOf(const ListBlock& block) const {
+  const auto clusters = neighbours_.Clusters();
+  const Cluster& last = clusters[block.last - 1];
+  return {clusters[block.first].first, last.first + last.count};
+}
+
+std::vector<double> ParticleSystemSPH::Density() const {
+  return std::visit(
+      [&](const auto& fluid) {
+        const auto n = static_cast<std::ptrdiff_t>(std::min(particles_.Size(), fluid.density.size()));
+        return std::vector<double>(fluid.density.begin(), fluid.density.begin() + n);
+      },
+      fluid_);
+}
+
+std::vector<double> ParticleSystemSPH::Pressure() const {
+  std::vector<double> values = Density();
+  std::visit(
+      [&](const auto& equation_of_state) {
+        for (double& value : values) value = equation_of_state.Pressure(value);
+      },
+      parameters_sph.equation_of_state);
+  return values;
+}
+
 double ParticleSystemSPH::InternalEnergy() const {
+  const std::vector<double> density = Density();
   return std::visit(
       [&](const auto& equation_of_state) {
         double sum = 0;
-        for (std::size_t i = 0; i < density_.size(); ++i) {
-          sum += particles_.mass[i] * equation_of_state.InternalEnergy(density_[i]);
+        for (std::size_t i = 0; i < density.size(); ++i) {
+          sum += particles_.mass[i] * equation_of_state.InternalEnergy(density[i]);
         }
         return sum;
       },
       parameters_sph.equation_of_state);
 }
 
+/// The fastest sound: every equation of state here stiffens with density.
+double ParticleSystemSPH::FastestSound() const {
+  const double densest = std::visit(
+      [&](const auto& fluid) {
+        const auto n = static_cast<std::ptrdiff_t>(std::min(particles_.Size(), fluid.density.size()));
+        return n == 0 ? 0.0 : static_cast<double>(*std::max_element(fluid.density.begin(), fluid.density.begin() + n));
+      },
+      fluid_);
+  return std::visit([&](const auto& equation_of_state) { return equation_of_state.SoundSpeed(densest); },
+                    parameters_sph.equation_of_state);
+}
+
+std::vector<StepLimit> ParticleSystemSPH::StepLimits() const {
+  std::vector<StepLimit> limits = ParticleSystem::StepLimits();
+  const double h = 0.5 * Support();
+  const double sound = FastestSound();
+  // Leapfrog on lattices of the cubic spline's gas, P = rho c^2/2: c dt/h < 1.31 to 1.38, and more where pressures are
+  // lower.
+  constexpr double kSound = 1.31;
+  limits.push_back({"speed of sound", sound > 0 ? kSound * h / sound : std::numeric_limits<double>::infinity()});
+  double fastest2 = 0;
+  double pushed2 = 0;
+  const Particles& p = particles_;
+  for (std::size_t i = 0; i < p.Size(); ++i) {
+    fastest2 = std::max(fastest2, p.vx_prev[i] * p.vx_prev[i] + p.vy_prev[i] * p.vy_prev[i]);
+    pushed2 = std::max(pushed2, p.ax[i] * p.ax[i] + p.ay[i] * p.ay[i]);
+  }
+  // Accuracy rather than stability: no particle passes its neighbours, or is thrown past them, within a step.
+  limits.push_back({"speed of the particles", 0.5 * h / std::sqrt(fastest2)});
+  limits.push_back({"acceleration", 0.5 * std::sqrt(h / std::sqrt(pushed2))});
+  return limits;
+}
+
 double ParticleSystemSPH::MeanNeighbours() const {
+  const Particles& p = particles_;
+  const double support2 = Support() * Support();
   std::size_t pairs = 0;
-  for (const NeighbourBlock& block : neighbours_) pairs += block.Pairs();
-  return particles_.Size() == 0 ? 0 : static_cast<double>(pairs) / static_cast<double>(particles_.Size());
+  for (const ListBlock& block : neighbours_.Blocks()) {
+    for (std::uint32_t k = block.first; k < block.last; ++k) {
+      const Cluster& cluster = neighbours_.Clusters()[k];
+      for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
+        for (const std::uint32_t j : block.Of(k)) {
+          const Vec2 apart = p.Position(i) - p.Position(j);
+          pairs += j != i && Dot(apart, apart) < support2 ? 1 : 0;
+        }
+      }
+    }
+  }
+  return p.Size() == 0 ? 0 : static_cast<double>(pairs) / static_cast<double>(p.Size());
+}
+
+std::size_t ParticleSystemSPH::Bytes() const {
+  return particles_.Bytes() + neighbours_.Bytes() + std::visit([](const auto& fluid) { return fluid.Bytes(); }, fluid_);
 }
 
 std::vector<PassPlan> ParticleSystemSPH::Plan() const {
   std::vector<PassPlan> plan = {
-      {"grid", true, fmt::format("cells of {:.4g} m, particles sorted by cell", Support())},
-      {"density", true, "neighbours, density (eq. 8) and pressure"},
+      {"grid", true, "particles sorted into clusters, and neighbour lists, only when one has moved too far"},
+      {"density", true, "density (eq. 8) and pressure"},
       {"pressure", true, "pressure acceleration (eq. 10)"},
   };
   const std::vector<PassPlan> base = ParticleSystem::Plan();

@@ -3,13 +3,17 @@
 
 #include <string>
 
-#include "neighbours/cell_grid.hpp"
+#include "neighbours/neighbour_search.hpp"
 #include "particles/particle_system.hpp"
+#include "sph/cluster_passes.hpp"
 #include "sph/equations_of_state.hpp"
+#include "sph/fluid_arrays.hpp"
 #include "sph/kernels.hpp"
-#include "sph/neighbour_store.hpp"
 
 namespace sph {
+
+/// Of the passes over neighbours; positions and velocities are always kept in double.
+enum class Precision { kFloat, kDouble };
 
 /// The paper's ParametersSPH[N_SPH_PARAMS], by name.
 struct ParametersSPH {
@@ -17,61 +21,82 @@ struct ParametersSPH {
   EquationOfState equation_of_state;
   double viscosity = 0;            ///< mu [Pa s]; solver mueller only
   bool mueller_published = false;  ///< solver mueller: with the mistakes of its published program
+  Precision precision = Precision::kDouble;
 };
 
 class ParticleSystemSPH : public ParticleSystem {
  public:
   ParticleSystemSPH(const Parameters& base, const ParametersSPH& sph);
 
-  std::span<const double> Density() const override { return density_; }
-  std::span<const double> Pressure() const override { return pressure_; }
+  std::vector<double> Density() const override;
+  std::vector<double> Pressure() const override;
   double InternalEnergy() const override;
   std::vector<PassPlan> Plan() const override;
+  std::vector<StepLimit> StepLimits() const override;
 
   /// The kernel's name, for reports.
   virtual std::string KernelName() const { return "cubic spline"; }
   /// Support radius of the kernel [m].
   virtual double Support() const { return CubicSpline<2>::kSupport * parameters_sph.smoothing_length; }
-  /// Mean number of neighbours within the support in the last step, the particle itself not counted.
+  /// Mean number of neighbours within the support at the last step's positions, the particle itself not counted.
+  /// Counted when asked for.
   double MeanNeighbours() const;
+  const NeighbourSearch& Neighbours() const { return neighbours_; }
+  /// Of all arrays that grow with the particles.
+  std::size_t Bytes() const;
 
-  /// May be changed between steps.
+  /// May be changed between steps, the precision excepted.
   ParametersSPH parameters_sph;
 
  protected:
-  /// PrepareGrid, neighbours, density (eq. 8) and pressure of every particle.
+  /// PrepareGrid, then density (eq. 8) and pressure of every particle.
   void ComputePressures();
-  /// The pressure terms of the accelerations (eq. 10), and whatever else acts between neighbours.
-  virtual void AddSpatialInteraction();
+  /// The pressure terms of the accelerations (eq. 10), and whatever else acts between neighbours, of a block's
+  /// particles.
+  virtual void AddSpatialInteraction(const ListBlock& block);
   void ComputeAccelerations() override;
   void RestoreParameters() override;
   double LongestMove() const override { return Support(); }
+  void ForgetNeighbours() override;
 
-  /// Sorts the particles by cell.
+  /// Brings the neighbour lists up to date: sorts the particles into clusters and finds what is near each, where they
+  /// have moved too far for the lists that there are.
   void PrepareGrid();
-  /// The runs of particles in the nine cells around a position.
-  std::array<Run, 3> FindCells(Vec2 position) const { return grid_.FindCells(position); }
+  /// Makes room in the arrays of the passes for n particles and the padding.
+  virtual void ResizeArrays(std::size_t n);
   /// Density of the block's particles.
-  virtual void ComputeDensities(const NeighbourBlock& block);
-  /// Calls work(block) for every block of the neighbour store, on all threads.
+  virtual void ComputeDensities(const ListBlock& block);
+  /// What else a derived solver reads in its interaction, of the particles first ... last - 1, once their density is
+  /// known.
+  virtual void PrepareInteraction(std::size_t first, std::size_t last);
+  /// Calls work(block) for every block of lists, on all threads.
   template <typename Work>
   void ForEachBlock(Work work);
+  /// The particles of a block: first ... last - 1.
+  std::pair<std::size_t, std::size_t> ParticlesOf(const ListBlock& block) const;
+  template <typename Real>
+  PassInput<Real> InputOf(const FluidArrays<Real>& fluid) const;
 
-  CellGrid grid_;
-  NeighbourStore neighbours_;
-  std::vector<double> density_;        // [kg/m^3]
-  std::vector<double> pressure_;       // [Pa]
-  std::vector<double> pressure_term_;  // P/rho^2 [m^5/(kg s^2)]
+  NeighbourSearch neighbours_;
+  AnyFluidArrays fluid_;
 
  private:
+  double FastestSound() const;  // [m/s]
+
   ParametersSPH initial_parameters_sph_;
 };
 
 template <typename Work>
 void ParticleSystemSPH::ForEachBlock(Work work) {
-  const std::size_t blocks = neighbours_.size();
-#pragma omp parallel for schedule(dynamic, 4) num_threads(ThreadCount()) if (blocks > 4)
-  for (std::size_t b = 0; b < blocks; ++b) work(neighbours_[b]);
+  std::vector<ListBlock>& blocks = neighbours_.Blocks();
+#pragma omp parallel for schedule(dynamic) num_threads(ThreadCount()) if (blocks.size() > 1)
+  for (std::size_t b = 0; b < blocks.size(); ++b) work(blocks[b]);
+}
+
+template <typename Real>
+PassInput<Real> ParticleSystemSPH::InputOf(const FluidArrays<Real>& fluid) const {
+  const double equal_mass = particles_.Size() == 0 ? 0 : particles_.mass[0];
+  return {&fluid.positions, Support(), fluid.Masses(), equal_mass, neighbours_.Clusters()};
 }
 
 }  // namespace sph

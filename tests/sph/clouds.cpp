@@ -1,9 +1,12 @@
 #include "sph/clouds.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include "base/instruction_set.hpp"
 #include "base/random.hpp"
 
 namespace sph {
@@ -69,19 +72,39 @@ std::vector<Cloud> AllClouds() {
   return clouds;
 }
 
-Neighbourhood FindNeighbours(const Cloud& cloud, double reach) {
-  CellGrid grid;
-  grid.Build(cloud.x, cloud.y, reach);
-  Neighbourhood found;
+template <typename Real>
+Neighbourhood<Real> FindNeighbours(const Cloud& cloud, double support) {
+  Neighbourhood<Real> found;
+  found.support = support;
   found.cloud.name = cloud.name;
+  found.search.NextTask(0, support);
+  found.search.Sort(cloud.x, cloud.y, 0.8 * kCloudH, Lanes<Real>());
   for (auto component : {&Cloud::x, &Cloud::y, &Cloud::vx, &Cloud::vy, &Cloud::mass}) {
-    for (const std::uint32_t i : grid.Order()) (found.cloud.*component).push_back((cloud.*component)[i]);
+    for (const std::uint32_t i : found.search.Order()) (found.cloud.*component).push_back((cloud.*component)[i]);
   }
-  for (std::size_t first = 0; first < cloud.Size(); first += kParticlesPerBlock) {
-    const std::size_t count = std::min(kParticlesPerBlock, cloud.Size() - first);
-    found.blocks.emplace_back().Find(grid, found.cloud.x, found.cloud.y, reach, first, count);
+  const Cloud& sorted = found.cloud;
+  found.search.Cut(sorted.x, sorted.y);
+  found.positions.Set(sorted.x, sorted.y, support);
+  found.search.Prepare(sorted.x, sorted.y, 0);
+  for (ListBlock& block : found.search.Blocks()) {
+    FindNeighbours<Real>(found.search.Clusters(), found.search.Boxes(), found.positions, support, found.search.Reach(),
+                         block);
   }
+  found.search.Finish();
+  found.mass.assign(sorted.mass.begin(), sorted.mass.end());
+  found.mass.resize(sorted.Size() + kPadding);
   return found;
+}
+template Neighbourhood<float> FindNeighbours<float>(const Cloud&, double);
+template Neighbourhood<double> FindNeighbours<double>(const Cloud&, double);
+
+void WithEveryInstructionSet(const std::function<void()>& test) {
+  for (const std::string& set : AvailableInstructionSets()) {
+    SCOPED_TRACE(set);
+    UseInstructionSet(set, "test");
+    test();
+  }
+  UseInstructionSet("best", "test");
 }
 
 }  // namespace sph

@@ -2,11 +2,13 @@
 // unevenly.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "sph/neighbour_store.hpp"
+#include "neighbours/neighbour_search.hpp"
+#include "sph/cluster_passes.hpp"
 
 namespace sph {
 
@@ -25,11 +27,27 @@ inline constexpr double kCloudH = 0.05;
 /// Every kind of cloud in every size of 0, 1, 2, 15, 16, 17, 257 and 600.
 std::vector<Cloud> AllClouds();
 
-/// The cloud in the order of the grid, and the neighbours within `reach` of all its particles, block by block.
+/// The cloud in the order of its clusters, and what the passes read of it.
+template <typename Real>
 struct Neighbourhood {
   Cloud cloud;
-  NeighbourStore blocks;
+  NeighbourSearch search;
+  Positions<Real> positions;
+  std::vector<Real> mass;
+  double support = 0;
+
+  PassInput<Real> Input() const { return {&positions, support, mass.data(), 0, search.Clusters()}; }
 };
-Neighbourhood FindNeighbours(const Cloud& cloud, double reach);
+template <typename Real>
+Neighbourhood<Real> FindNeighbours(const Cloud& cloud, double support);
+
+/// Calls test() with every instruction set that this processor has, and a trace that names it.
+void WithEveryInstructionSet(const std::function<void()>& test);
+
+/// The bound on |pass - twin| over the greatest value of the twin in the same cloud: a few roundings of sums of some
+/// ten to some hundred terms, and in double on processors without AVX-512 the 46 bits to which two Newton steps bring a
+/// 12-bit estimate.
+template <typename Real>
+constexpr double kTolerance = sizeof(Real) == 4 ? 2e-6 : 1e-13;
 
 }  // namespace sph

@@ -72,7 +72,7 @@ TEST(Tait, HasNoPressureAtItsReferenceDensityAndIsNotClippedBelow) {
   const Tait tait = Example<Tait>();
   EXPECT_EQ(tait.Pressure(2.861), 0);
   EXPECT_LT(tait.Pressure(2.8), 0);
-  EXPECT_EQ(tait.Pressure(0), -0.5);
+  EXPECT_EQ(tait.Pressure(0.0), -0.5);
 }
 
 TEST(Tait, OfTableTwoIsVeryCompressible) {

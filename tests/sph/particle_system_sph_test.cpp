@@ -56,7 +56,7 @@ TEST(ParticleSystemSPH, AccelerationIsPressureGravityCentralForceAndDamping) {
       for (std::size_t i = 0; i < p.Size(); ++i) {
         const Vec2 expected = plain[i].value + base.gravity - 1.7 * p.Position(i) - nu * p.Velocity(i);
         const double round_off =
-            plain[i].RoundOff() + 1e-15 * (20 + Length(p.Position(i)));  // a few roundings of what is added
+            2 * plain[i].RoundOff() + 1e-15 * (20 + Length(p.Position(i)));  // a few roundings of what is added
         ASSERT_NEAR(p.ax[i], expected.x, round_off) << cloud.name;
         ASSERT_NEAR(p.ay[i], expected.y, round_off) << cloud.name;
       }

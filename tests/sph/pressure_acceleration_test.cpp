@@ -1,9 +1,8 @@
 // Pressure acceleration against the sum over all pairs, and what its symmetry conserves.
-#include "sph/pressure_acceleration.hpp"
-
 #include <gtest/gtest.h>
 
 #include "base/random.hpp"
+#include "sph/cluster_passes.hpp"
 #include "sph/kernels.hpp"
 #include "sph/plain_twins.hpp"
 
@@ -11,44 +10,56 @@ namespace sph {
 namespace {
 
 /// A cloud with densities and pressures that have nothing to do with its positions: of both signs, and all different.
+template <typename Real>
 struct Setting {
-  explicit Setting(const Cloud& given) : found(FindNeighbours(given, 2 * kCloudH)), cloud(found.cloud) {
+  explicit Setting(const Cloud& given) : found(FindNeighbours<Real>(given, 2 * kCloudH)), cloud(found.cloud) {
     Random random(7);
     for (std::size_t i = 0; i < cloud.Size(); ++i) {
       density.push_back(random.Uniform(0.5, 5));
       pressure.push_back(random.Uniform(-1, 10));
-      term.push_back(pressure[i] / (density[i] * density[i]));
+      term.push_back(static_cast<Real>(pressure[i] / (density[i] * density[i])));
     }
+    term.resize(cloud.Size() + kPadding);
     ax.assign(cloud.Size(), 0);
     ay.assign(cloud.Size(), 0);
   }
   Setting(const Setting&) = delete;  // `cloud` refers to `found`
   void Add() {
-    for (const NeighbourBlock& block : found.blocks) {
-      AddPressureAcceleration(block, CubicSpline<2>(kCloudH), cloud.x, cloud.y, cloud.mass, term, ax, ay);
+    for (const ListBlock& block : found.search.Blocks()) {
+      AddCubicSplinePressure(found.Input(), block, term.data(), ax.data(), ay.data());
     }
   }
 
-  Neighbourhood found;
+  Neighbourhood<Real> found;
   Cloud& cloud;
-  std::vector<double> density, pressure, term, ax, ay;
+  std::vector<double> density, pressure, ax, ay;
+  std::vector<Real> term;
 };
 
-TEST(PressureAcceleration, EqualsTheSumOverAllPairs) {
-  for (const Cloud& given : AllClouds()) {
-    Setting s(given);
-    s.Add();
-    const auto plain = PlainPressureAcceleration(s.cloud, s.density, s.pressure, kCloudH);
-    for (std::size_t i = 0; i < s.cloud.Size(); ++i) {
-      ASSERT_NEAR(s.ax[i], plain[i].value.x, plain[i].RoundOff()) << given.name << ", particle " << i;
-      ASSERT_NEAR(s.ay[i], plain[i].value.y, plain[i].RoundOff()) << given.name << ", particle " << i;
+template <typename Real>
+class PressureAccelerationOf : public testing::Test {};
+using BothPrecisions = testing::Types<float, double>;
+TYPED_TEST_SUITE(PressureAccelerationOf, BothPrecisions);
+
+TYPED_TEST(PressureAccelerationOf, EqualsTheSumOverAllPairs) {
+  WithEveryInstructionSet([] {
+    for (const Cloud& given : AllClouds()) {
+      Setting<TypeParam> s(given);
+      s.Add();
+      const auto plain = PlainPressureAcceleration(s.cloud, s.density, s.pressure, kCloudH);
+      double greatest = 0;
+      for (const PlainSum& sum : plain) greatest = std::max(greatest, Length(sum.value));
+      for (std::size_t i = 0; i < s.cloud.Size(); ++i) {
+        ASSERT_NEAR(s.ax[i], plain[i].value.x, kTolerance<TypeParam> * greatest) << given.name << ", particle " << i;
+        ASSERT_NEAR(s.ay[i], plain[i].value.y, kTolerance<TypeParam> * greatest) << given.name << ", particle " << i;
+      }
     }
-  }
+  });
 }
 
 TEST(PressureAcceleration, IsAddedToWhatIsThere) {
   for (const Cloud& given : AllClouds()) {
-    Setting from_zero(given), from_one(given);
+    Setting<double> from_zero(given), from_one(given);
     from_zero.Add();
     from_one.ax.assign(given.Size(), 1);
     from_one.Add();
@@ -58,7 +69,7 @@ TEST(PressureAcceleration, IsAddedToWhatIsThere) {
 
 TEST(PressureAcceleration, ConservesLinearAndAngularMomentum) {
   for (const Cloud& given : AllClouds()) {
-    Setting s(given);
+    Setting<double> s(given);
     s.Add();
     const auto plain = PlainPressureAcceleration(s.cloud, s.density, s.pressure, kCloudH);
     double fx = 0, fy = 0, torque = 0, force_bound = 0, torque_bound = 0;
@@ -84,8 +95,8 @@ TEST(PressureAcceleration, PushesTwoParticlesApartAlongTheirLine) {
   pair.y = {0, 0.04};
   pair.vx = pair.vy = {0, 0};
   pair.mass = {1, 3};
-  Setting s(pair);
-  s.term = {2, 2};
+  Setting<double> s(pair);
+  s.term[0] = s.term[1] = 2;
   s.Add();
   EXPECT_LT(s.ax[0], 0);
   EXPECT_DOUBLE_EQ(s.ay[0] / s.ax[0], 4.0 / 3);
@@ -96,7 +107,7 @@ TEST(PressureAcceleration, IsZeroBetweenCoincidentParticles) {
   Cloud pair;
   pair.x = pair.y = pair.vx = pair.vy = {0.5, 0.5};
   pair.mass = {1, 1};
-  Setting s(pair);
+  Setting<double> s(pair);
   s.Add();
   EXPECT_EQ(s.ax[0], 0);
   EXPECT_EQ(s.ay[1], 0);
@@ -114,8 +125,8 @@ TEST(PressureAcceleration, IsThatOfTheExactPairPotentialForATwoParticleGas) {
     pair.x = {0, r};
     pair.y = pair.vx = pair.vy = {0, 0};
     pair.mass = {m[0], m[1]};
-    Setting s(pair);
-    s.term = {kGas, kGas};
+    Setting<double> s(pair);
+    s.term[0] = s.term[1] = kGas;
     s.Add();
     const double delta = 1e-5 * kCloudH;
     const double force_on_second = -(potential(r + delta) - potential(r - delta)) / (2 * delta);

@@ -1,0 +1,113 @@
+// Verlet lists of clusters, built on vectors; the target loop of Highway comes first.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "neighbours/cluster_lists.cpp"
+#include "neighbours/cluster_lists.hpp"
+
+#include <hwy/foreach_target.h>  // compiles this file once for each instruction set
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace sph {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Distance of coordinates from an interval, as Real: 0 inside.
+template <class D, class V>
+HWY_INLINE V Beyond(D d, V offset_from_centre, V half_width) {
+  return hn::Max(hn::Sub(hn::Abs(offset_from_centre), half_width), hn::Zero(d));
+}
+
+/// x - centre in lanes of Real; exact for fixed-point coordinates.
+HWY_INLINE auto Offset(hn::ScalableTag<float> d, const std::int32_t* x, std::int32_t centre) {
+  const hn::RebindToSigned<decltype(d)> di;
+  return hn::ConvertTo(d, hn::Sub(hn::LoadU(di, x), hn::Set(di, centre)));
+}
+HWY_INLINE auto Offset(hn::ScalableTag<double> d, const double* x, double centre) {
+  return hn::Sub(hn::LoadU(d, x), hn::Set(d, centre));
+}
+
+template <typename Real>
+void Find(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<Real>& positions,
+          double support, double reach, ListBlock& block) {
+  const hn::ScalableTag<Real> d;
+  const hn::Rebind<std::uint32_t, decltype(d)> du;
+  const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
+  const double per_unit = 1 / Positions<Real>::Unit(support);
+  // A little further than asked for, against the rounding of the conversion to Real.
+  const auto reach_units = static_cast<Real>(reach * per_unit * (1 + 1e-6));
+  const auto reach2 = hn::Set(d, reach_units * reach_units);
+  std::uint32_t found = 0;
+  block.begin.assign(block.last - block.first + 1, 0);
+  for (std::uint32_t k = block.first; k < block.last; ++k) {
+    const Box& box = boxes.Of(k);
+    const Box around{box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach};
+    const auto x = Positions<Real>::ToCoordinate(box.Centre().x, per_unit);
+    const auto y = Positions<Real>::ToCoordinate(box.Centre().y, per_unit);
+    const auto half_width = hn::Set(d, static_cast<Real>(0.5 * box.Width() * per_unit));
+    const auto half_height = hn::Set(d, static_cast<Real>(0.5 * box.Height() * per_unit));
+    boxes.FindCells(around, block.hints, [&](std::size_t near) {
+      const Cluster& other = clusters[near];
+      if (block.numbers.size() < found + lanes + kPadding) block.numbers.resize(2 * (found + lanes) + kPadding);
+      const auto dx = Beyond(d, Offset(d, positions.X() + other.first, x), half_width);
+      const auto dy = Beyond(d, Offset(d, positions.Y() + other.first, y), half_height);
+      const auto within = hn::Lt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), reach2);
+      // The same lanes as a mask of the numbers, which are of 32 bits in either precision.
+      HWY_ALIGN std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, hn::And(within, hn::FirstN(d, other.count)), bits);
+      found += static_cast<std::uint32_t>(
+          hn::CompressStore(hn::Iota(du, other.first), hn::LoadMaskBits(du, bits), du, block.numbers.data() + found));
+    });
+    block.begin[k - block.first + 1] = found;
+  }
+}
+
+}  // namespace
+
+int FloatLanes() { return static_cast<int>(hn::Lanes(hn::ScalableTag<float>())); }
+int DoubleLanes() { return static_cast<int>(hn::Lanes(hn::ScalableTag<double>())); }
+
+void FindFloat(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<float>& positions,
+               double support, double reach, ListBlock& block) {
+  Find<float>(clusters, boxes, positions, support, reach, block);
+}
+void FindDouble(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<double>& positions,
+                double support, double reach, ListBlock& block) {
+  Find<double>(clusters, boxes, positions, support, reach, block);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace sph
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sph {
+
+HWY_EXPORT(FloatLanes);
+HWY_EXPORT(DoubleLanes);
+HWY_EXPORT(FindFloat);
+HWY_EXPORT(FindDouble);
+
+template <>
+int Lanes<float>() {
+  return HWY_DYNAMIC_DISPATCH(FloatLanes)();
+}
+template <>
+int Lanes<double>() {
+  return HWY_DYNAMIC_DISPATCH(DoubleLanes)();
+}
+
+template <>
+void FindNeighbours<float>(std::span<const Cluster> clusters, const ClusterBoxes& boxes,
+                           const Positions<float>& positions, double support, double reach, ListBlock& block) {
+  HWY_DYNAMIC_DISPATCH(FindFloat)(clusters, boxes, positions, support, reach, block);
+}
+template <>
+void FindNeighbours<double>(std::span<const Cluster> clusters, const ClusterBoxes& boxes,
+                            const Positions<double>& positions, double support, double reach, ListBlock& block) {
+  HWY_DYNAMIC_DISPATCH(FindDouble)(clusters, boxes, positions, support, reach, block);
+}
+
+}  // namespace sph
+#endif  // HWY_ONCE

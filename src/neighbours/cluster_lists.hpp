@@ -1,0 +1,40 @@
+// Verlet lists of clusters: for each cluster, the particles within reach of its box.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "neighbours/cluster_boxes.hpp"
+#include "neighbours/cluster_order.hpp"
+#include "neighbours/positions.hpp"
+
+namespace sph {
+
+/// The lists of the clusters first ... last - 1: a unit of work, written by one thread.
+struct ListBlock {
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  std::vector<std::uint32_t> begin;    // [clusters + 1]
+  std::vector<std::uint32_t> numbers;  // room for kPadding more than are valid
+  std::vector<std::uint32_t> hints;    // of ClusterBoxes::FindCells
+
+  std::span<const std::uint32_t> Of(std::uint32_t cluster) const {
+    return {numbers.data() + begin[cluster - first], numbers.data() + begin[cluster - first + 1]};
+  }
+};
+
+inline constexpr std::uint32_t kClustersPerBlock = 64;
+
+/// Number of `Real` that the instruction set in use computes with at once; see base/simd.hpp.
+template <typename Real>
+int Lanes();
+
+/// Overwrites the block's lists: every particle whose distance from the cluster's box is below `reach` [m], those of
+/// the cluster included, and perhaps a few at that distance to round-off. Ascending within a column of clusters.
+/// Allocates only while lists grow.
+template <typename Real>
+void FindNeighbours(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<Real>& positions,
+                    double support, double reach, ListBlock& block);
+
+}  // namespace sph

@@ -1,0 +1,76 @@
+#include "neighbours/neighbour_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sph {
+namespace {
+
+/// Clusters grow as their particles drift apart; a list that is longer by this factor costs more than sorting now and
+/// then.
+constexpr double kLongestList = 1.15;
+
+/// The skin that costs least [m]. Passes over lists with reach R (1 + s) take longer in proportion to 1 + 1.1 s (the
+/// area within reach of a square cluster of 16 particles), and lists are made anew every s R/(2 u) steps, u being the
+/// travel per step. The least of P 1.1 s + B 2 u/(s R) is at s = sqrt(2 B u/(1.1 P R)); making the lists costs B = 0.25
+/// P, the two passes.
+double BestSkin(double support, double travel_per_step) {
+  const double skin = std::sqrt(0.45 * travel_per_step * support);
+  const double steps = skin / (2 * travel_per_step);
+  return travel_per_step > 0 && steps < 2 ? 0.0 : std::clamp(skin, 0.001 * support, 0.3 * support);
+}
+
+}  // namespace
+
+SearchTask NeighbourSearch::NextTask(double travelled, double support) {
+  travelled_ = travelled;
+  if (!sorted_ || support != support_ || pairs_per_area_ > kLongestList * pairs_per_area_when_sorted_) {
+    support_ = support;
+    return SearchTask::kSort;
+  }
+  return 2 * (travelled_ - travelled_when_made_) > skin_ ? SearchTask::kLists : SearchTask::kNothing;
+}
+
+void NeighbourSearch::Sort(std::span<const double> x, std::span<const double> y, double spacing, int lanes) {
+  lanes_ = lanes;
+  order_.Sort(x, y, spacing, support_, lanes);
+}
+
+void NeighbourSearch::Cut(std::span<const double> x, std::span<const double> y) {
+  order_.Cut(x, y, support_, lanes_);
+  sorted_ = just_sorted_ = true;
+  ++sorts_;
+}
+
+void NeighbourSearch::Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step) {
+  boxes_.Update(order_, x, y);
+  skin_ = BestSkin(support_, travel_per_step);
+  travelled_when_made_ = travelled_;
+  const auto clusters = static_cast<std::uint32_t>(order_.Clusters().size());
+  blocks_.resize((clusters + kClustersPerBlock - 1) / kClustersPerBlock);
+  for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+    blocks_[b].first = b * kClustersPerBlock;
+    blocks_[b].last = std::min(clusters, (b + 1) * kClustersPerBlock);
+    if (just_sorted_) blocks_[b].hints.clear();
+  }
+}
+
+void NeighbourSearch::Finish() {
+  ++lists_made_;
+  pairs_ = 0;
+  for (const ListBlock& block : blocks_) pairs_ += block.begin.back();
+  const double relative_reach = Reach() / support_;
+  pairs_per_area_ = static_cast<double>(pairs_) / (relative_reach * relative_reach);
+  if (just_sorted_) pairs_per_area_when_sorted_ = pairs_per_area_;
+  just_sorted_ = false;
+}
+
+std::size_t NeighbourSearch::Bytes() const {
+  std::size_t bytes = order_.Bytes() + boxes_.Bytes();
+  for (const ListBlock& block : blocks_) {
+    bytes += sizeof(std::uint32_t) * (block.begin.capacity() + block.numbers.capacity() + block.hints.capacity());
+  }
+  return bytes;
+}
+
+}  // namespace sph

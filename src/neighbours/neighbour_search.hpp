@@ -1,0 +1,71 @@
+// Keeps clusters and their lists fit for particles that move: lists with a skin, made anew only when a particle may
+// have crossed it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "neighbours/cluster_boxes.hpp"
+#include "neighbours/cluster_lists.hpp"
+#include "neighbours/cluster_order.hpp"
+
+namespace sph {
+
+/// What to do before the next passes.
+enum class SearchTask {
+  kNothing,  ///< the lists still hold everything within reach
+  kLists,    ///< find the neighbours again
+  kSort,     ///< put the particles in order first: Sort, reorder, then find
+};
+
+class NeighbourSearch {
+ public:
+  /// Forgets everything: the next task is kSort.
+  void Invalidate() { sorted_ = false; }
+
+  /// @param travelled  how far a particle may have gone since the start [m]
+  /// @param support    reach of the kernel [m]
+  SearchTask NextTask(double travelled, double support);
+
+  /// First part of kSort: columns and order for particles about `spacing` [m] apart. The caller reorders its arrays by
+  /// Order().
+  void Sort(std::span<const double> x, std::span<const double> y, double spacing, int lanes);
+  std::span<const std::uint32_t> Order() const { return order_.Order(); }
+  /// Second part, with the reordered positions.
+  void Cut(std::span<const double> x, std::span<const double> y);
+
+  /// Boxes, skin and empty blocks for the lists; then FindNeighbours is to be called for every block with Reach(), and
+  /// Finish.
+  /// @param travel_per_step  how far the fastest particle goes in a step [m]
+  void Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step);
+  double Reach() const { return support_ + skin_; }
+  void Finish();
+
+  std::span<const Cluster> Clusters() const { return order_.Clusters(); }
+  const ClusterBoxes& Boxes() const { return boxes_; }
+  std::vector<ListBlock>& Blocks() { return blocks_; }
+  std::span<const ListBlock> Blocks() const { return blocks_; }
+  double Skin() const { return skin_; }  ///< [m]
+  long ListsMade() const { return lists_made_; }
+  long Sorts() const { return sorts_; }
+  std::size_t Bytes() const;
+
+ private:
+  ClusterOrder order_;
+  ClusterBoxes boxes_;
+  std::vector<ListBlock> blocks_;
+  bool sorted_ = false;
+  bool just_sorted_ = false;
+  int lanes_ = 0;
+  double support_ = 0;
+  double skin_ = 0;
+  double travelled_ = 0;  // as told last, and when the lists were made [m]
+  double travelled_when_made_ = 0;
+  std::size_t pairs_ = 0;      // entries of all lists
+  double pairs_per_area_ = 0;  // entries over (reach/support)^2: now, and just after the last sort
+  double pairs_per_area_when_sorted_ = 0;
+  long lists_made_ = 0;
+  long sorts_ = 0;
+};
+
+}  // namespace sph

@@ -1,0 +1,118 @@
+// The kernels of kernels.hpp on vectors, without their constants: included once for each instruction set.
+#if defined(SPH_KERNEL_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef SPH_KERNEL_LANES_INL_HPP
+#undef SPH_KERNEL_LANES_INL_HPP
+#else
+#define SPH_KERNEL_LANES_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace sph {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Distances r, and 1/r, of vectors with squared length r2 > 0, to full precision: the processor's estimate of
+/// 1/sqrt(r2), of 12 bits or more, refined by one Newton step for float and by two for double.
+template <class D>
+class Distance {
+ public:
+  using V = hn::Vec<D>;
+
+  HWY_INLINE Distance(D d, V r2) {
+#if HWY_ARCH_X86
+    const V half = hn::Set(d, static_cast<hn::TFromD<D>>(0.5));
+    const V three_halves = hn::Set(d, static_cast<hn::TFromD<D>>(1.5));
+    if constexpr (sizeof(hn::TFromD<D>) == 4) {
+      estimate_ = hn::ApproximateReciprocalSqrt(r2);
+    } else {
+      const hn::Rebind<float, D> df;
+      const V rough = hn::PromoteTo(d, hn::ApproximateReciprocalSqrt(hn::DemoteTo(df, r2)));
+      const V step = hn::NegMulAdd(hn::Mul(hn::Mul(r2, half), rough), rough, three_halves);
+      estimate_ = hn::Mul(rough, step);
+    }
+    length_ = hn::Mul(r2, estimate_);
+    correction_ = hn::NegMulAdd(hn::Mul(length_, estimate_), half, three_halves);
+#else
+    length_ = hn::Sqrt(r2);
+    correction_ = hn::Set(d, static_cast<hn::TFromD<D>>(1));
+    estimate_ = hn::Div(correction_, length_);
+#endif
+  }
+
+  /// from - r
+  HWY_INLINE V SubtractedFrom(V from) const { return hn::NegMulAdd(length_, correction_, from); }
+  /// 1/r
+  HWY_INLINE V Inverse() const { return hn::Mul(estimate_, correction_); }
+
+ private:
+  V estimate_;  // of 1/r
+  V length_;    // r = length_ * correction_
+  V correction_;
+};
+
+/// CubicSpline: with o = R - r and i = R/2 - r, R the support and negative values replaced by 0, W = C (2/R)^3 (o^3 - 4
+/// i^3).
+template <class D>
+class CubicSplineLanes {
+ public:
+  using V = hn::Vec<D>;
+  using T = hn::TFromD<D>;
+
+  CubicSplineLanes(D d, T support)
+      : d_(d),
+        support_(hn::Set(d, support)),
+        cube_root_of_4_(hn::Set(d, static_cast<T>(1.5874010519681994748))),
+        minus_half_support_scaled_(hn::Set(d, static_cast<T>(-0.5 * 1.5874010519681994748) * support)),
+        minus_support_(hn::Set(d, -support)) {}
+
+  /// o^3 - 4 i^3
+  HWY_INLINE V Value(V r2) const {
+    const V outer = Distance<D>(d_, r2).SubtractedFrom(support_);
+    const V inner = hn::Max(hn::MulAdd(outer, cube_root_of_4_, minus_half_support_scaled_), hn::Zero(d_));
+    const V o = hn::Max(outer, hn::Zero(d_));
+    return hn::NegMulAdd(hn::Mul(inner, inner), inner, hn::Mul(hn::Mul(o, o), o));
+  }
+  /// (o^2 - 4 i^2)/r, which is -W'/r without the factor 3 C (2/R)^3
+  HWY_INLINE V NegativeSlopeOverR(V r2) const {
+    const Distance<D> r(d_, r2);
+    const V outer = r.SubtractedFrom(support_);
+    const V twice_inner = hn::Max(hn::MulAdd(outer, hn::Set(d_, static_cast<T>(2)), minus_support_), hn::Zero(d_));
+    const V o = hn::Max(outer, hn::Zero(d_));
+    return hn::Mul(hn::NegMulAdd(twice_inner, twice_inner, hn::Mul(o, o)), r.Inverse());
+  }
+
+ private:
+  D d_;
+  V support_;
+  V cube_root_of_4_;
+  V minus_half_support_scaled_;
+  V minus_support_;
+};
+
+/// Poly6: (1 - r^2/R^2)^3.
+template <class D>
+class Poly6Lanes {
+ public:
+  using V = hn::Vec<D>;
+
+  Poly6Lanes(D d, hn::TFromD<D> support) : d_(d), per_support2_(hn::Set(d, 1 / (support * support))) {}
+
+  HWY_INLINE V Value(V r2) const {
+    const V one = hn::Set(d_, static_cast<hn::TFromD<D>>(1));
+    const V rest = hn::Max(hn::NegMulAdd(r2, per_support2_, one), hn::Zero(d_));
+    return hn::Mul(hn::Mul(rest, rest), rest);
+  }
+
+ private:
+  D d_;
+  V per_support2_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace sph
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

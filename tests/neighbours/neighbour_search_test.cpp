@@ -1,0 +1,190 @@
+// Clusters and their lists: every particle once, every pair within reach once, also after the particles have moved.
+#include "neighbours/neighbour_search.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace sph {
+namespace {
+
+constexpr double kSupport = 0.5;  // [m]
+constexpr double kSpacing = 0.2;
+
+/// Points as a solver holds them: sorted into clusters, with lists of what is within reach.
+template <typename Real>
+struct Found {
+  explicit Found(std::vector<double> px, std::vector<double> py, double travel_per_step = 0) {
+    search.NextTask(0, kSupport);
+    search.Sort(px, py, kSpacing, Lanes<Real>());
+    for (const std::uint32_t i : search.Order()) {
+      x.push_back(px[i]);
+      y.push_back(py[i]);
+    }
+    search.Cut(x, y);
+    Find(travel_per_step);
+  }
+  void Find(double travel_per_step) {
+    positions.Set(x, y, kSupport);
+    search.Prepare(x, y, travel_per_step);
+    for (ListBlock& block : search.Blocks()) {
+      FindNeighbours<Real>(search.Clusters(), search.Boxes(), positions, kSupport, search.Reach(), block);
+    }
+    search.Finish();
+  }
+
+  std::vector<double> x, y;
+  NeighbourSearch search;
+  Positions<Real> positions;
+};
+
+/// What is wrong with the lists, in words: a pair within `reach` that is missing, or a particle that is listed twice.
+template <typename Real>
+std::string Wrong(const Found<Real>& found, double reach) {
+  for (const ListBlock& block : found.search.Blocks()) {
+    for (std::uint32_t k = block.first; k < block.last; ++k) {
+      const auto list = block.Of(k);
+      const std::set<std::uint32_t> listed(list.begin(), list.end());
+      if (listed.size() != list.size()) return "a particle is listed twice";
+      const Cluster& cluster = found.search.Clusters()[k];
+      for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
+        for (std::uint32_t j = 0; j < found.x.size(); ++j) {
+          const double r = std::hypot(found.x[i] - found.x[j], found.y[i] - found.y[j]);
+          if (r < reach && !listed.contains(j)) return "a pair " + std::to_string(r) + " m apart is missing";
+        }
+      }
+    }
+  }
+  return {};
+}
+
+/// From a lattice of an eighth of the support: many coincide, many are exactly the support apart.
+rc::Gen<std::vector<std::pair<int, int>>> Clumps(int extent) {
+  const auto coordinate = rc::gen::inRange(-extent, extent + 1);
+  return rc::gen::container<std::vector<std::pair<int, int>>>(rc::gen::pair(coordinate, coordinate));
+}
+
+template <typename Real>
+Found<Real> FoundOf(const std::vector<std::pair<int, int>>& steps, double scale = kSupport / 8) {
+  std::vector<double> x, y;
+  for (const auto& [column, row] : steps) {
+    x.push_back(scale * column);
+    y.push_back(scale * row);
+  }
+  return Found<Real>(x, y);
+}
+
+template <typename Real>
+void CheckAllKinds() {
+  RC_ASSERT(Wrong(FoundOf<Real>(*Clumps(10)), kSupport) == "");
+  RC_ASSERT(Wrong(FoundOf<Real>(*Clumps(300)), kSupport) == "");
+  RC_ASSERT(Wrong(FoundOf<Real>(*Clumps(1000), 1234.5), kSupport) == "");  // escaped, each alone
+}
+
+RC_GTEST_PROP(NeighbourSearch, ListsEveryPairWithinReachOnceInDouble, ()) { CheckAllKinds<double>(); }
+RC_GTEST_PROP(NeighbourSearch, ListsEveryPairWithinReachOnceInFloat, ()) { CheckAllKinds<float>(); }
+
+RC_GTEST_PROP(NeighbourSearch, ClustersHoldEveryParticleOnceAndAreNeverTooLong, ()) {
+  const auto found = FoundOf<float>(*Clumps(200));
+  std::uint32_t next = 0;
+  for (std::size_t k = 0; k < found.search.Clusters().size(); ++k) {
+    const Cluster& cluster = found.search.Clusters()[k];
+    RC_ASSERT(cluster.first == next);
+    RC_ASSERT(cluster.count >= 1u && cluster.count <= static_cast<unsigned>(Lanes<float>()));
+    const Box& box = found.search.Boxes().Of(k);
+    RC_ASSERT(std::max(box.Width(), box.Height()) <= ClusterOrder::kLongestInSupports * kSupport);
+    next += cluster.count;
+  }
+  RC_ASSERT(next == found.x.size());
+}
+
+RC_GTEST_PROP(NeighbourSearch, ListsHoldUntilAParticleHasCrossedHalfTheSkin, ()) {
+  const auto steps = *Clumps(30);
+  RC_PRE(!steps.empty());
+  std::vector<double> x, y;
+  for (const auto& [column, row] : steps) {
+    x.push_back(kSupport / 8 * column);
+    y.push_back(kSupport / 8 * row);
+  }
+  constexpr double kTravel = 0.002;  // [m] a step
+  Found<double> found(x, y, kTravel);
+  RC_ASSERT(found.search.Skin() > 0);
+  double travelled = 0;
+  for (int step = 0; step < 200; ++step) {
+    const SearchTask task = found.search.NextTask(travelled, kSupport);
+    if (task != SearchTask::kNothing) break;
+    RC_ASSERT(Wrong(found, kSupport) == "");
+    for (std::size_t i = 0; i < found.x.size(); ++i)
+      found.x[i] += i % 2 == 0 ? kTravel : -kTravel;  // towards each other
+    travelled += kTravel;
+  }
+  RC_ASSERT(2 * travelled > found.search.Skin());
+}
+
+TEST(NeighbourSearch, OfNoParticlesHasNoClusters) {
+  const Found<float> found({}, {});
+  EXPECT_TRUE(found.search.Clusters().empty());
+  EXPECT_TRUE(found.search.Blocks().empty());
+}
+
+TEST(NeighbourSearch, SortsAgainWhenDriftHasMadeTheListsLong) {
+  std::vector<double> x, y;
+  for (int k = 0; k < 2500; ++k) {
+    x.push_back(kSpacing * (k % 50));
+    y.push_back(kSpacing * (k / 50));
+  }
+  Found<float> found(x, y);
+  EXPECT_EQ(found.search.NextTask(0, kSupport), SearchTask::kNothing);
+  for (std::size_t i = 0; i < found.x.size(); ++i) found.x[i] += i % 3 == 0 ? 3 * kSpacing : 0;  // clusters torn apart
+  found.Find(0);
+  EXPECT_EQ(found.search.NextTask(0, kSupport), SearchTask::kSort);
+}
+
+TEST(NeighbourSearch, ListsOfALatticeAreNotMuchLongerThanTheNeighbours) {
+  // 16 particles in a square of 4 x 4 spacings reach (16 + 16 R + pi R^2) dx^2, R = 2.5 spacings: 76 particles; 8 and 4
+  // reach fewer.
+  std::vector<double> x, y;
+  for (int k = 0; k < 10000; ++k) {
+    x.push_back(kSpacing * (k % 100));
+    y.push_back(kSpacing * (k / 100));
+  }
+  const Found<float> found(x, y);
+  std::size_t entries = 0;
+  for (const ListBlock& block : found.search.Blocks()) entries += block.begin.back();
+  EXPECT_LT(static_cast<double>(entries) / static_cast<double>(found.search.Clusters().size()), 76);
+}
+
+TEST(NeighbourSearch, MemoryFollowsTheNumberOfParticlesHoweverFarTheyAre) {
+  for (const double distance : {1e3, 1e8, 1e150}) {
+    std::vector<double> x, y;
+    for (int k = 0; k < 500; ++k) {
+      x.push_back(0.01 * k);
+      y.push_back(0.02 * k);
+    }
+    x.insert(x.end(), {distance, -distance, 0});
+    y.insert(y.end(), {0, distance, -distance});
+    const Found<double> found(x, y);
+    EXPECT_LE(found.search.Bytes(), 503u * 1000) << distance;
+    EXPECT_EQ(Wrong(found, kSupport), "") << distance;
+  }
+}
+
+TEST(Positions, DifferencesAreExactToFloatFarFromTheOrigin) {
+  const std::vector<double> x = {1e6 * kSupport, 1e6 * kSupport + 0.3 * kSupport};
+  Positions<float> positions;
+  positions.Set(x, x, kSupport);
+  const double unit = Positions<float>::Unit(kSupport);
+  EXPECT_NEAR((positions.X()[1] - positions.X()[0]) * unit, x[1] - x[0], unit);
+}
+
+TEST(ClusterOrder, RefusesPositionsThatAreNotFinite) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  ClusterOrder order;
+  const std::vector<double> x = {0, INFINITY}, y = {0, 0};
+  EXPECT_DEATH(order.Sort(x, y, kSpacing, kSupport, 8), "positions from");
+}
+
+}  // namespace
+}  // namespace sph
