@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kColumns = 3;
 constexpr int kPanelWidth = 400;  // [pixels]
+constexpr int kGap = 2;           // [pixels]
 
 struct Snapshot {
   double time = 0;  // [s]
@@ -52,20 +53,20 @@ Image Draw(const Strip& strip) {
   Session session(request);
   KeyScript keys = strip.keys.empty() ? KeyScript() : KeyScript(strip.keys, session.CurrentScene());
   FrameRenderer renderer(Backend::kAuto, kPanelWidth, strip.panel_height);
-  std::vector<Panel> panels;
+  std::vector<Image> panels;
   for (const Snapshot& snapshot : strip.snapshots) {
     RunUntil(session, keys, snapshot.time);
-    panels.push_back(
-        {renderer.Render(strip.region, Colouring::kBlackDisks, [&](Canvas& canvas) { session.System().Draw(canvas); }),
-         fmt::format("t = {:.1f} s: {}", session.System().Time(), snapshot.what)});
+    const Image picture =
+        renderer.Render(strip.region, Colouring::kBlackDisks, [&](Canvas& canvas) { session.System().Draw(canvas); });
+    panels.push_back(WithCaption(picture, fmt::format("t = {:.1f} s: {}", session.System().Time(), snapshot.what)));
   }
-  return JoinPanels(panels, kColumns);
+  return JoinPanels(panels, kColumns, kGap);
 }
 
 Image DamBreak() {
   return Draw({.scene = "dam-break",
                .keys = "4:d",
-               .region = {-0.95, -0.95, 0.95, -0.3},  // nothing flies higher; the walls do
+               .region = {-0.95, -0.95, 0.95, -0.3},  // the fluid is below; the walls go on
                .panel_height = 200,
                .snapshots = {{3.9, "settled"},
                              {4.1, "the dam is gone"},

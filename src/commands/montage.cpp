@@ -10,19 +10,15 @@ namespace sph {
 namespace {
 
 // [pixels]
-constexpr int kGap = 2;
 constexpr int kCaptionHeight = 36;
 constexpr double kCaptionSize = 20;
 constexpr double kCaptionLeft = 10;
 
 constexpr std::uint8_t kGapGrey = 190;
 
-Image CaptionOf(const std::string& text, int width) {
-  Surface surface(width, kCaptionHeight);
-  surface.SetColour(kInk);
-  const double size = FittingSize(text, kCaptionSize, width - 2 * kCaptionLeft);
-  DrawText(surface, text, {kCaptionLeft, 0.5 * kCaptionHeight}, size, Anchor::kLeft);
-  return surface.ToImage();
+Image Plain(int width, int height, std::uint8_t grey) {
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  return {width, height, std::vector<std::uint8_t>(3 * pixels, grey)};
 }
 
 void Paste(Image& image, int x, int y, const Image& part) {
@@ -32,30 +28,38 @@ void Paste(Image& image, int x, int y, const Image& part) {
   }
 }
 
-Image Plain(int width, int height, std::uint8_t grey) {
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  return {width, height, std::vector<std::uint8_t>(3 * pixels, grey)};
-}
-
 }  // namespace
 
-Image JoinPanels(std::span<const Panel> panels, int columns) {
-  SPH_CHECK(!panels.empty() && columns >= 1, "{} panels, {} columns", panels.size(), columns);
+Image WithCaption(const Image& picture, const std::string& caption) {
+  Surface line(picture.width, kCaptionHeight);
+  line.SetColour(kInk);
+  const double size = FittingSize(caption, kCaptionSize, std::max(1.0, picture.width - 2 * kCaptionLeft));
+  DrawText(line, caption, {kCaptionLeft, 0.5 * kCaptionHeight}, size, Anchor::kLeft);
+
+  Image image = line.ToImage();
+  image.height += picture.height;
+  image.rgb.insert(image.rgb.end(), picture.rgb.begin(), picture.rgb.end());
+  return image;
+}
+
+Image JoinPanels(std::span<const Image> panels, int columns, int gap) {
+  SPH_CHECK(!panels.empty() && columns >= 1 && gap >= 0, "{} panels, {} columns, gap {}", panels.size(), columns, gap);
   const int count = static_cast<int>(panels.size());
+  columns = std::min(columns, count);
   const int rows = (count + columns - 1) / columns;
-  const int width = panels[0].picture.width, height = panels[0].picture.height + kCaptionHeight;
-  Image image = Plain(columns * (width + kGap) - kGap, rows * (height + kGap) - kGap, kGapGrey);
+  const int width = panels[0].width, height = panels[0].height;
+
+  Image image = Plain(columns * (width + gap) - gap, rows * (height + gap) - gap, kGapGrey);
   for (int i = 0; i < columns * rows; ++i) {
-    const int x = i % columns * (width + kGap), y = i / columns * (height + kGap);
+    const int x = i % columns * (width + gap), y = i / columns * (height + gap);
     if (i >= count) {
       Paste(image, x, y, Plain(width, height, 255));
       continue;
     }
-    const Panel& panel = panels[static_cast<std::size_t>(i)];
-    SPH_CHECK(panel.picture.width == width && panel.picture.height + kCaptionHeight == height,
-              "panel {} has {} x {} pixels", i, panel.picture.width, panel.picture.height);
-    Paste(image, x, y, CaptionOf(panel.caption, width));
-    Paste(image, x, y + kCaptionHeight, panel.picture);
+    const Image& panel = panels[static_cast<std::size_t>(i)];
+    SPH_CHECK(panel.width == width && panel.height == height, "panel {} has {} x {} pixels, the first {} x {}", i,
+              panel.width, panel.height, width, height);
+    Paste(image, x, y, panel);
   }
   return image;
 }

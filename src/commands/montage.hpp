@@ -8,14 +8,11 @@
 
 namespace sph {
 
-struct Panel {
-  Image picture;
-  std::string caption;
-};
+/// The picture with a line of text on white above it: letters of 20 pixels, or as small as the picture's width demands.
+Image WithCaption(const Image& picture, const std::string& caption);
 
-/// The panels in rows of `columns`, from the top left, with thin grey lines between them; the rest of the last row is
-/// white. Captions have letters of 20 pixels, fewer where a picture is too narrow for them.
-/// Precondition: at least one panel, all pictures of one size; columns >= 1.
-Image JoinPanels(std::span<const Panel> panels, int columns);
+/// The panels in rows of `columns`, from the top left, with `gap` pixels of grey between them and white where the last
+/// row has none. Precondition: at least one panel, all of one size; columns >= 1, gap >= 0.
+Image JoinPanels(std::span<const Image> panels, int columns, int gap);
 
 }  // namespace sph
