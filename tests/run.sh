@@ -8,7 +8,7 @@ source src/setup.sh
 
 export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}  # test programs run side by side: no spinning on each other's cores
 if [[ -e tests/lsan.supp ]]; then
-  export LSAN_OPTIONS="${LSAN_OPTIONS:+$LSAN_OPTIONS:}suppressions='$PWD/tests/lsan.supp'"
+  export LSAN_OPTIONS="${LSAN_OPTIONS:+$LSAN_OPTIONS:}suppressions='$PWD/tests/lsan.supp':print_suppressions=0"
 fi
 
 set_up() {

@@ -1,6 +1,7 @@
 #include "base/library.hpp"
 
 #include <dlfcn.h>
+#include <link.h>
 
 #include <utility>
 
@@ -30,6 +31,17 @@ void* Library::Symbol(const char* name) const {
                        name_, name, package_);
   }
   return symbol;
+}
+
+void KeepLoadedLibraries() {
+  const auto keep = [](dl_phdr_info* info, std::size_t, void*) {
+    // A second handle that is never closed. The program itself has an empty name, and needs none.
+    if (info->dlpi_name != nullptr && *info->dlpi_name != '\0') {
+      dlopen(info->dlpi_name, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+    }
+    return 0;
+  };
+  dl_iterate_phdr(keep, nullptr);
 }
 
 }  // namespace sph

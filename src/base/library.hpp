@@ -30,4 +30,8 @@ class Library {
   void* handle_ = nullptr;
 };
 
+/// Keeps every library that is loaded now, also those that libraries have loaded for themselves, such as a graphics
+/// driver, until the program ends: for the same reason, and so that a leak checker can say whose memory it has found.
+void KeepLoadedLibraries();
+
 }  // namespace sph

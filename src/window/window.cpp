@@ -11,6 +11,7 @@
 #include <set>
 
 #include "base/clock.hpp"
+#include "base/library.hpp"
 #include "io/png.hpp"
 #include "scenes/build.hpp"
 #include "window/controls.hpp"
@@ -272,6 +273,7 @@ void Window::SavePicture() {
 void Window::Close() {
   if (!screen_) return;
   screen_.reset();
+  KeepLoadedLibraries();
   glut_.LeaveMainLoop();
 }
 
