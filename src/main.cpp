@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/instruction_set.hpp"
 #include "base/nearest_name.hpp"
+#include "commands/bench.hpp"
 #include "commands/command_line.hpp"
 #include "commands/figures.hpp"
 #include "commands/interrupt.hpp"
@@ -36,6 +37,7 @@ class CommandLine {
     AddScenes();
     AddInfo();
     AddFigures();
+    AddBench();
     app_.footer("Without a command: the scene in a window. `sphlab COMMAND --help` says what a command takes.\n" +
                 exit_codes);
   }
@@ -123,6 +125,14 @@ class CommandLine {
     command->add_option("--out", figures_out_, "folder of figure1.png, figure2.png, figure3.png")->required();
   }
 
+  void AddBench() {
+    CLI::App* command =
+        Add("bench", "what a particle and step costs, and with which error", [this] { return BenchSpeed(bench_); });
+    command->add_option("CASE", bench_case_, "speed")->check(CLI::IsMember({"speed"}))->capture_default_str();
+    command->add_option("--out", bench_.out, "folder of speed.csv, speed.txt and speed.png")->required();
+    command->add_flag("--quick", bench_.quick, "small systems only");
+  }
+
   /// What stands before a command is read as the window's, and would do nothing.
   void CheckOrder() const {
     for (const CLI::Option* option : app_.get_options()) {
@@ -184,6 +194,8 @@ class CommandLine {
   SceneRequest info_;
   CLI::Option* info_scene_ = nullptr;
   std::string figures_out_;
+  BenchOptions bench_;
+  std::string bench_case_ = "speed";
   bool json_ = false;
 };
 

@@ -28,7 +28,7 @@ SearchTask NeighbourSearch::NextTask(double travelled, double support) {
     support_ = support;
     return SearchTask::kSort;
   }
-  return 2 * (travelled_ - travelled_when_made_) > skin_ ? SearchTask::kLists : SearchTask::kNothing;
+  return !keep_lists_ || 2 * (travelled_ - travelled_when_made_) > skin_ ? SearchTask::kLists : SearchTask::kNothing;
 }
 
 void NeighbourSearch::Sort(std::span<const double> x, std::span<const double> y, double spacing, int lanes) {
@@ -44,7 +44,7 @@ void NeighbourSearch::Cut(std::span<const double> x, std::span<const double> y) 
 
 void NeighbourSearch::Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step) {
   boxes_.Update(order_, x, y);
-  skin_ = BestSkin(support_, travel_per_step);
+  skin_ = keep_lists_ ? BestSkin(support_, travel_per_step) : 0;
   travelled_when_made_ = travelled_;
   const auto clusters = static_cast<std::uint32_t>(order_.Clusters().size());
   blocks_.resize((clusters + kClustersPerBlock - 1) / kClustersPerBlock);

@@ -23,6 +23,9 @@ class NeighbourSearch {
   /// Forgets everything: the next task is kSort.
   void Invalidate() { sorted_ = false; }
 
+  /// Whether lists are kept for several steps, which is the default; else they are made anew at every one.
+  void KeepLists(bool keep) { keep_lists_ = keep; }
+
   /// @param travelled  how far a particle may have gone since the start [m]
   /// @param support    reach of the kernel [m]
   SearchTask NextTask(double travelled, double support);
@@ -56,6 +59,7 @@ class NeighbourSearch {
   std::vector<ListBlock> blocks_;
   bool sorted_ = false;
   bool just_sorted_ = false;
+  bool keep_lists_ = true;
   int lanes_ = 0;
   double support_ = 0;
   double skin_ = 0;

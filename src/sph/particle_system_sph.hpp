@@ -42,6 +42,8 @@ class ParticleSystemSPH : public ParticleSystem {
   /// Counted when asked for.
   double MeanNeighbours() const;
   const NeighbourSearch& Neighbours() const { return neighbours_; }
+  /// See NeighbourSearch::KeepLists.
+  void KeepLists(bool keep) { neighbours_.KeepLists(keep); }
   /// Of all arrays that grow with the particles.
   std::size_t Bytes() const;
 
