@@ -304,16 +304,20 @@ void ParticleSystem::ReflectFromWalls() {
   const PhaseTimer timer(phases_, "walls");
   Particles& p = particles_;
   const double restitution = parameters.wall.restitution;
+  double deepest = 0;  // [m], as far as a particle is put back
   for (const Wall& wall : parameters.walls) {
     auto& position = wall.Vertical() ? p.x : p.y;
     auto& velocity = wall.Vertical() ? p.vx : p.vy;
     auto& previous = wall.Vertical() ? p.vx_prev : p.vy_prev;
     for (std::size_t i = 0; i < p.Size(); ++i) {
-      if (wall.Depth(p.Position(i)) <= 0) continue;
+      const double depth = wall.Depth(p.Position(i));
+      if (depth <= 0) continue;
+      deepest = std::max(deepest, depth);
       position[i] = wall.at;
       for (double* v : {&velocity[i], &previous[i]}) *v = wall.velocity - restitution * (*v - wall.velocity);
     }
   }
+  travelled_ += 2 * deepest;  // in x and in y: a corner puts a particle back twice
 }
 
 void ParticleSystem::ReportTrouble() {

@@ -39,7 +39,9 @@ TEST(Stopwatch, StartsAnewWithRestart) {
   const Stopwatch second;
   const double before = first.Seconds();
   first.Restart();
-  EXPECT_LE(first.Seconds(), second.Seconds());  // restarted after the second one began
+  const double since_restart = first.Seconds();
+  const double since_second = second.Seconds();
+  EXPECT_LE(since_restart, since_second);  // restarted after the second one began
   EXPECT_GE(before, 1e-3);
 }
 
