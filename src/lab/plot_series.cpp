@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <ranges>
 
 #include "base/check.hpp"
 #include "lab/plot_style.hpp"
@@ -70,7 +69,7 @@ void DrawMarkers(Surface& surface, const PlotLayout& layout, const Series& serie
 void FillPolygon(cairo_t* context, const std::vector<Vec2>& upper, const std::vector<Vec2>& lower) {
   if (upper.empty()) return;
   for (const Vec2 point : upper) cairo_line_to(context, point.x, point.y);
-  for (const Vec2 point : std::views::reverse(lower)) cairo_line_to(context, point.x, point.y);
+  for (auto point = lower.rbegin(); point != lower.rend(); ++point) cairo_line_to(context, point->x, point->y);
   cairo_close_path(context);
   cairo_fill(context);
 }

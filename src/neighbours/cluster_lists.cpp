@@ -49,7 +49,8 @@ void Find(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Po
     const auto half_height = hn::Set(d, static_cast<Real>(0.5 * box.Height() * per_unit));
     boxes.FindCells(around, block.hints, [&](std::size_t near) {
       const Cluster& other = clusters[near];
-      if (block.numbers.size() < found + lanes + kPadding) block.numbers.resize(2 * (found + lanes) + kPadding);
+      if (block.numbers.size() < found + lanes + kPadding)
+        block.numbers.resize(2 * std::size_t{found + lanes} + kPadding);
       const auto dx = Beyond(d, Offset(d, positions.X() + other.first, x), half_width);
       const auto dy = Beyond(d, Offset(d, positions.Y() + other.first, y), half_height);
       const auto within = hn::Lt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), reach2);

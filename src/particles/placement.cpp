@@ -81,7 +81,8 @@ std::vector<Vec2> PlaceAround(const Block& block, const Box& room, const std::fu
   const Box start = block.region.Bounds();
   const int most_columns = static_cast<int>(room.Width() / start.Width()) + 1;
   for (int k = 0; k <= 2 * most_columns; ++k) {
-    const double shift = start.Width() * ((k + 1) / 2) * (k % 2 == 1 ? 1 : -1);
+    const int columns_away = (k + 1) / 2;
+    const double shift = start.Width() * (k % 2 == 1 ? columns_away : -columns_away);
     const Box column{start.x0 + shift, start.y0, start.x1 + shift, room.y1};
     if (k > 0 && (column.x0 < room.x0 || column.x1 > room.x1)) continue;
     std::vector<Vec2> places;

@@ -160,8 +160,8 @@ class SceneReader {
       }
       for (const auto& [entry, value] : *node.as_table()) {
         const auto keys = AllWallKeys();
-        const auto key =
-            std::find_if(keys.begin(), keys.end(), [&](const WallKey& k) { return k.name == entry.str(); });
+        const std::string_view entry_name = entry.str();
+        const auto key = std::find_if(keys.begin(), keys.end(), [&](const WallKey& k) { return k.name == entry_name; });
         if (key == keys.end()) {
           throw UsageError("{}: unknown key 'wall.{}.{}'.{}", Place(value), name.str(), entry.str(),
                            DidYouMean(entry.str(), Names(keys)));

@@ -105,7 +105,7 @@ void Density(const PassInput<Real>& input, const ListBlock& block, double consta
   const auto factor = hn::Set(d, static_cast<Real>(constant));
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     auto sum = hn::Zero(d);
-    pairs.ForEach(input.clusters[k], block.Of(k), [&](std::uint32_t j, auto, auto, auto r2) HWY_ATTR {
+    pairs.ForEach(input.clusters[k], block.Of(k), [&]([[maybe_unused]] std::uint32_t j, auto, auto, auto r2) HWY_ATTR {
       if constexpr (kEqualMasses) {
         sum = hn::Add(sum, kernel.Value(r2));
       } else {
