@@ -47,11 +47,17 @@ void ParticleSystemSPH::PrepareGrid() {
         fluid.positions.Set(p.x, p.y, Support());
         if (task == SearchTask::kNothing) return;
         neighbours_.Prepare(p.x, p.y, LastTravel());
-        ForEachBlock([&](ListBlock& block) {
-          FindNeighbours<Real>(neighbours_.Clusters(), neighbours_.Boxes(), fluid.positions, Support(),
-                               neighbours_.Reach(), block);
-        });
+        ForEachBlock([&](ListBlock& block) { FindCells(block); });
         neighbours_.Finish();
+      },
+      fluid_);
+}
+
+void ParticleSystemSPH::FindCells(ListBlock& block) {
+  std::visit(
+      [&]<typename Real>(const FluidArrays<Real>& fluid) {
+        FindNeighbours<Real>(neighbours_.Clusters(), neighbours_.Boxes(), fluid.positions, Support(),
+                             neighbours_.Reach(), block);
       },
       fluid_);
 }

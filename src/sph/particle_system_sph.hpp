@@ -64,6 +64,9 @@ class ParticleSystemSPH : public ParticleSystem {
   /// Brings the neighbour lists up to date: sorts the particles into clusters and finds what is near each, where they
   /// have moved too far for the lists that there are.
   void PrepareGrid();
+  /// Finds the clusters around each of the block's, and of their particles those within reach: the neighbour store's
+  /// lists.
+  void FindCells(ListBlock& block);
   /// Makes room in the arrays of the passes for n particles and the padding.
   virtual void ResizeArrays(std::size_t n);
   /// Density of the block's particles.
@@ -79,7 +82,7 @@ class ParticleSystemSPH : public ParticleSystem {
   template <typename Real>
   PassInput<Real> InputOf(const FluidArrays<Real>& fluid) const;
 
-  NeighbourSearch neighbours_;
+  NeighbourSearch neighbours_;  // the neighbour store
   AnyFluidArrays fluid_;
 
  private:
@@ -90,8 +93,9 @@ class ParticleSystemSPH : public ParticleSystem {
 
 template <typename Work>
 void ParticleSystemSPH::ForEachBlock(Work work) {
+  constexpr std::size_t kBlocksOfOneThread = 3;  // waking the others costs more than so little work
   std::vector<ListBlock>& blocks = neighbours_.Blocks();
-#pragma omp parallel for schedule(dynamic) num_threads(ThreadCount()) if (blocks.size() > 1)
+#pragma omp parallel for schedule(dynamic) num_threads(ThreadCount()) if (blocks.size() > kBlocksOfOneThread)
   for (std::size_t b = 0; b < blocks.size(); ++b) work(blocks[b]);
 }
 
