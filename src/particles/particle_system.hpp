@@ -105,6 +105,11 @@ class ParticleSystem {
   double LastTravel() const { return last_travel_; }
   /// The sum of that over all steps: no particle went further since the start [m].
   double Travelled() const { return travelled_; }
+  /// Puts the particles in another order, see Particles::Reorder.
+  void Reorder(std::span<const std::uint32_t> order) {
+    particles_.Reorder(order);
+    behind_wall_.clear();  // it was noted in the old order
+  }
   /// Called when particles were added, removed or moved by other means than a step.
   virtual void ForgetNeighbours() {}
 

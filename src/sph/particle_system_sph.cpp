@@ -38,7 +38,7 @@ void ParticleSystemSPH::PrepareGrid() {
         const SearchTask task = neighbours_.NextTask(Travelled(), Support());
         if (task == SearchTask::kSort) {
           neighbours_.Sort(p.x, p.y, InitialSpacing(), Lanes<Real>());
-          p.Reorder(neighbours_.Order());
+          Reorder(neighbours_.Order());
           neighbours_.Cut(p.x, p.y);
           const bool equal = std::adjacent_find(p.mass.begin(), p.mass.end(), std::not_equal_to<>()) == p.mass.end();
           equal ? fluid.mass.clear() : Convert<Real>(p.mass, fluid.mass);
