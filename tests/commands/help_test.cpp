@@ -4,7 +4,8 @@
 namespace sph {
 namespace {
 
-const std::vector<std::string> kSceneOptions = {"SCENE", "--set", "--solver", "--particles", "--seed", "--threads"};
+const std::vector<std::string> kSceneOptions = {"SCENE",       "--set",  "--solver", "--precision",
+                                                "--particles", "--seed", "--threads"};
 
 void ExpectHelp(const Program::Arguments& command, const std::vector<std::string>& options) {
   Program::Arguments arguments = command;
@@ -23,7 +24,9 @@ std::vector<std::string> With(std::vector<std::string> options, const std::vecto
   return options;
 }
 
-TEST(Help, NamesEveryCommand) { ExpectHelp({}, With(kSceneOptions, {"render", "run", "scenes", "info", "figures"})); }
+TEST(Help, NamesEveryCommand) {
+  ExpectHelp({}, With(kSceneOptions, {"render", "run", "scenes", "info", "figures", "bench"}));
+}
 
 TEST(Help, NamesEveryOptionOfACommand) {
   ExpectHelp({"render"}, With(kSceneOptions, {"--out", "--frames", "--fps", "--until", "--size", "--backend", "--keys",
@@ -32,6 +35,7 @@ TEST(Help, NamesEveryOptionOfACommand) {
   ExpectHelp({"scenes"}, {"--json"});
   ExpectHelp({"info"}, With(kSceneOptions, {"--json"}));
   ExpectHelp({"figures"}, {"--out"});
+  ExpectHelp({"bench"}, {"CASE", "--out", "--quick"});
 }
 
 }  // namespace

@@ -105,6 +105,17 @@ TEST(RunJson, SaysWhatWasRun) {
   EXPECT_TRUE(report["errors"].empty()) << "the dam break has no exact solution";
 }
 
+TEST(RunJson, SaysInWhichPrecisionAndOnWhichInstructionSet) {
+  const json in_float = JsonOf({"--steps", "3", "--precision", "float"}, {{{"SPHLAB_SIMD", "baseline"}}});
+  EXPECT_EQ(in_float["precision"], "float");
+  EXPECT_EQ(in_float["simd"], "baseline");
+  const json in_double = JsonOf({"--steps", "3", "--precision", "double"});
+  EXPECT_EQ(in_double["precision"], "double");
+  EXPECT_NE(in_double["state_hash"], in_float["state_hash"]);
+  const double energy = in_double["kinetic_energy"];
+  EXPECT_NEAR(in_float["kinetic_energy"].get<double>(), energy, 1e-4 * energy) << "a float has seven digits";
+}
+
 TEST(RunJson, HasTheErrorsThatTheScenesReferenceDeclares) {
   const json errors = JsonOf({"toy-star", "--steps", "1"})["errors"];
   EXPECT_GT(errors.at("density_mse").get<double>(), 0);

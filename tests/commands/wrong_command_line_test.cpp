@@ -61,6 +61,7 @@ const std::vector<Slip> kSlips = {
     {"SeedInWords", {"run", "--seed", "one"}, {"--seed", "'one'"}},
     {"NegativeThreads", {"run", "--threads", "-1"}, {"--threads", "-1"}},
     {"UnknownSolver", {"run", "--solver", "papr"}, {"unknown solver 'papr'", "'paper'?", "mueller"}},
+    {"UnknownPrecision", {"run", "--precision", "half"}, {"--precision", "half", "float", "double"}},
     {"SolverThatLacksItsScene", {"run", "toy-star", "--solver", ""}, {"--solver"}},
     {"UnknownKey", {"run", "--keys", "4:z"}, {"unknown key 'z' in '4:z'", "Left", "Esc"}},
     {"KeyNearlyRight", {"run", "--keys", "4:spce"}, {"unknown key 'spce'", "'space'?"}},
@@ -83,6 +84,10 @@ const std::vector<Slip> kSlips = {
 
 INSTANTIATE_TEST_SUITE_P(Slips, WrongCommandLine, testing::ValuesIn(kSlips),
                          [](const auto& tested) { return tested.param.name; });
+
+TEST(WrongInstructionSet, IsRefusedWithWhatIsAvailable) {
+  EXPECT_TRUE(Refuses(2, {"run", "--steps", "1"}, {"SPHLAB_SIMD", "'avx9'", "baseline"}, {{{"SPHLAB_SIMD", "avx9"}}}));
+}
 
 TEST(WrongCommandLine, LeavesNoFolderBehind) {
   const ScratchDirectory scratch;
