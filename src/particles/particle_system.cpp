@@ -9,14 +9,6 @@
 #include "base/check.hpp"
 
 namespace sph {
-namespace {
-
-/// The unit of work of the passes over single particles.
-constexpr std::size_t kParticlesPerChunk = 1024;
-
-bool Inside(const Box& box, double x, double y) { return x >= box.x0 && x <= box.x1 && y >= box.y0 && y <= box.y1; }
-
-}  // namespace
 
 std::string Instability::Message() const {
   return fmt::format("step {}, t = {:.6g} s: particle {} at ({:.4g}, {:.4g}) m with velocity ({:.4g}, {:.4g}) m/s: {}",
@@ -146,40 +138,6 @@ void ParticleSystem::AddMotionDamping(std::size_t first, std::size_t last) {
   }
 }
 
-void ParticleSystem::Boundaries(std::size_t i) {
-  Particles& p = particles_;
-  const double before =
-      0.5 * previous_step_;  // v- is as long before t as half the last step, v+ after it half the next
-  const double after = 0.5 * parameters.time_step;
-  double damping = 0;  // [1/s], of all the walls that the particle is in
-  for (const Wall& wall : parameters.walls) {
-    const double depth = wall.Depth(p.Position(i));
-    if (depth <= 0) continue;
-    deepest_ = std::max(deepest_, depth);
-    const Vec2 push = parameters.wall.stiffness * depth * wall.Normal();
-    const double speed = wall.velocity * parameters.wall.damping;  // damping is relative to the wall
-    p.ax[i] += push.x + (wall.Vertical() ? speed : 0.0);
-    p.ay[i] += push.y + (wall.Vertical() ? 0.0 : speed);
-    damping += parameters.wall.damping;
-  }
-  if (damping == 0) return;
-  if (parameters.integration != Integration::kLeapFrog) {
-    p.ax[i] -= damping * p.vx[i];
-    p.ay[i] -= damping * p.vy[i];
-    return;
-  }
-  // Integrate knows the motion damping nu only. This is the acceleration with which its step comes out as the step of
-  // the second-order form with n = nu + damping: v+ = [v- (1 - n before) + a (before + after)]/(1 + n after).
-  const double nu = parameters.motion_damping;
-  const double span = before + after;
-  const auto damped = [&](double a, double v_prev) {
-    const double wanted = (v_prev * (1 - (nu + damping) * before) + a * span) / (1 + (nu + damping) * after);
-    return (wanted * (1 + nu * after) - v_prev * (1 - nu * before)) / span;
-  };
-  p.ax[i] = damped(p.ax[i], p.vx_prev[i]);
-  p.ay[i] = damped(p.ay[i], p.vy_prev[i]);
-}
-
 /// The largest step that the limits allow, but not much longer than the last one: an estimate from one state must not
 /// run ahead of what the next states turn out to be.
 void ParticleSystem::ChooseStep() {
@@ -197,22 +155,6 @@ std::vector<StepLimit> ParticleSystem::StepLimits() const {
       {"wall stiffness", penalty ? 2 / std::sqrt(p.wall.stiffness) : kNone},
       {"central force", p.central_force > 0 ? 2 / std::sqrt(p.central_force) : kNone},
   };
-}
-
-void ParticleSystem::AddWallForces() {
-  if (parameters.walls.empty() || parameters.wall.kind != WallKind::kPenalty) return;
-  const PhaseTimer timer(phases_, "walls");
-  const Box legal = LegalRegion(parameters.walls);
-  // A wall that was moved by hand since the last step, or new particles: what that step noted no longer holds.
-  const bool noted = legal == legal_ && !behind_wall_.empty();
-  const std::size_t n = particles_.Size();
-  for (std::size_t first = 0, chunk = 0; first < n; first += kParticlesPerChunk, ++chunk) {
-    if (noted && behind_wall_[chunk] == 0) continue;
-    const std::size_t last = std::min(first + kParticlesPerChunk, n);
-    for (std::size_t i = first; i < last; ++i) {
-      if (!Inside(legal, particles_.x[i], particles_.y[i])) Boundaries(i);
-    }
-  }
 }
 
 /// Leapfrog, eqs. 13-15, and the walls.
@@ -296,28 +238,8 @@ double ParticleSystem::Advance(std::size_t first, std::size_t last, char& behind
     outside += std::max(beyond_x, beyond_y) > 0 ? 1.0 : 0.0;
   }
   behind_wall = outside > 0 ? 1 : 0;
+  if (behind_wall != 0 && second_order && parameters.wall.kind == WallKind::kPenalty) CatchAtWalls(first, last);
   return std::isfinite(sum2) ? fastest2 : sum2;
-}
-
-void ParticleSystem::ReflectFromWalls() {
-  if (parameters.walls.empty() || parameters.wall.kind != WallKind::kReflect) return;
-  const PhaseTimer timer(phases_, "walls");
-  Particles& p = particles_;
-  const double restitution = parameters.wall.restitution;
-  double deepest = 0;  // [m], as far as a particle is put back
-  for (const Wall& wall : parameters.walls) {
-    auto& position = wall.Vertical() ? p.x : p.y;
-    auto& velocity = wall.Vertical() ? p.vx : p.vy;
-    auto& previous = wall.Vertical() ? p.vx_prev : p.vy_prev;
-    for (std::size_t i = 0; i < p.Size(); ++i) {
-      const double depth = wall.Depth(p.Position(i));
-      if (depth <= 0) continue;
-      deepest = std::max(deepest, depth);
-      position[i] = wall.at;
-      for (double* v : {&velocity[i], &previous[i]}) *v = wall.velocity - restitution * (*v - wall.velocity);
-    }
-  }
-  travelled_ += 2 * deepest;  // in x and in y: a corner puts a particle back twice
 }
 
 void ParticleSystem::ReportTrouble() {

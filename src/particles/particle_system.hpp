@@ -121,9 +121,13 @@ class ParticleSystem {
   void ChooseStep();
   void Integrate();
   double Advance(std::size_t first, std::size_t last, char& behind_wall);
+  void CatchAtWalls(std::size_t first, std::size_t last);
   void ReflectFromWalls();
   void StepBackwards(std::uint32_t first_id);
   void ReportTrouble();
+
+  /// The unit of work of the passes over single particles.
+  static constexpr std::size_t kParticlesPerChunk = 1024;
 
   Parameters initial_parameters_;
   std::optional<Instability> trouble_;

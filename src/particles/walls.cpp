@@ -1,6 +1,7 @@
 #include "particles/walls.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace sph {
@@ -23,6 +24,17 @@ double Wall::Depth(Vec2 point) const {
   const double coordinate = Vertical() ? point.x : point.y;
   const bool fluid_at_larger = fluid == FluidSide::kRight || fluid == FluidSide::kAbove;
   return fluid_at_larger ? at - coordinate : coordinate - at;
+}
+
+Penetration PenetrationAfter(const WallParameters& wall, double speed, double seconds) {
+  // d = speed e^(-c t/2) s(t), with s = sin(w t)/w, t or sinh(w t)/w as w^2 = K - c^2/4 is positive, 0 or negative.
+  const double half_damping = 0.5 * wall.damping;
+  const double w2 = wall.stiffness - half_damping * half_damping;
+  const double w = std::sqrt(std::abs(w2));
+  const double decay = speed * std::exp(-half_damping * seconds);
+  const double s = w == 0 ? seconds : (w2 > 0 ? std::sin(w * seconds) : std::sinh(w * seconds)) / w;
+  const double slope = w2 > 0 ? std::cos(w * seconds) : std::cosh(w * seconds);
+  return {decay * s, decay * (slope - half_damping * s)};
 }
 
 void MoveWalls(std::span<Wall> walls, double dt) {

@@ -43,6 +43,16 @@ struct WallParameters {
   double restitution = 0;  ///< speed after a reflection over the speed before
 };
 
+/// Depth [m] and speed into the wall [m/s] of a particle relative to it.
+struct Penetration {
+  double depth = 0;
+  double speed = 0;
+};
+
+/// What a penalty wall makes of a particle that went in at `speed`, `seconds` later: the solution of d'' = -K d - c d'
+/// with d = 0 and d' = speed at the start, K and c being the wall's stiffness and damping.
+Penetration PenetrationAfter(const WallParameters& wall, double speed, double seconds);
+
 /// Moves every wall by its velocity times dt; one that reaches an end of its range stops there.
 void MoveWalls(std::span<Wall> walls, double dt);
 

@@ -101,6 +101,78 @@ TEST_P(EveryIntegration, ParticlesComeToRestWhereThePushIsGravity) {
   EXPECT_NEAR(system.State().vy_prev[0], 0, 1e-9);
 }
 
+/// The depth and speed after `seconds` in the wall, by many small midpoint steps of d'' = -K d - c d'.
+Penetration BySmallSteps(const WallParameters& wall, double speed, double seconds) {
+  constexpr int kSteps = 100000;
+  const double dt = seconds / kSteps;
+  const auto pull = [&](double depth, double v) { return -wall.stiffness * depth - wall.damping * v; };
+  Penetration now{0, speed};
+  for (int k = 0; k < kSteps; ++k) {
+    const double half_depth = now.depth + 0.5 * dt * now.speed;
+    const double half_speed = now.speed + 0.5 * dt * pull(now.depth, now.speed);
+    now = {now.depth + dt * half_speed, now.speed + dt * pull(half_depth, half_speed)};
+  }
+  return now;
+}
+
+TEST(Boundaries, PenetrationIsTheDampedSpringsWhateverItsDamping) {
+  const double critical = 2 * std::sqrt(kStiffness);
+  for (const double damping : {0.0, kDamping, critical, 3 * critical}) {
+    const WallParameters wall{WallKind::kPenalty, kStiffness, damping, 0};
+    const Penetration expected = BySmallSteps(wall, 1.5, kDt);
+    const Penetration now = PenetrationAfter(wall, 1.5, kDt);
+    EXPECT_NEAR(now.depth, expected.depth, 1e-8 * kDt) << damping;
+    EXPECT_NEAR(now.speed, expected.speed, 1e-8) << damping;
+  }
+}
+
+TEST(Boundaries, AParticleThatGoesInDuringAStepFeelsTheWallFromThatMomentOn) {
+  const WallParameters wall = BetweenWalls({}, {}, {}, Integration::kLeapFrog).wall;
+  for (const double part : {0.1, 0.3, 0.9}) {  // of the step, before the particle is at the wall
+    for (const double wall_velocity : {0.0, 0.4}) {
+      const double approach = 2 + wall_velocity;
+      ParticleSystem system(
+          BetweenWalls({0, -1 + part * approach * kDt}, {0.2, -2}, {Floor(-1, wall_velocity)}, Integration::kLeapFrog));
+      system.Reset();
+      system.Step();
+      const double since = (1 - part) * kDt;
+      const Particles& p = system.State();
+      const double at = system.parameters.walls[0].at;
+      EXPECT_NEAR(at - p.y[0], BySmallSteps(wall, approach, since).depth, 1e-9) << part;
+      EXPECT_NEAR(wall_velocity - p.vy[0], BySmallSteps(wall, approach, since).speed, 1e-6) << part;
+      const double half_step_ago = since - 0.5 * kDt;
+      const double speed = half_step_ago > 0 ? BySmallSteps(wall, approach, half_step_ago).speed : approach;
+      EXPECT_NEAR(wall_velocity - p.vy_prev[0], speed, 1e-6) << part;
+      EXPECT_EQ(p.vx_prev[0], 0.2) << "along the wall it is damped from the next step on";
+    }
+  }
+}
+
+TEST(Boundaries, ThePublishedFormKnowsOfTheWallOneStepLater) {
+  ParticleSystem system(BetweenWalls({0, -0.999}, {0, -2}, {Floor(-1)}, Integration::kLeapFrogPublished));
+  system.Reset();
+  system.Step();
+  EXPECT_DOUBLE_EQ(system.State().y[0], -0.999 - 2 * kDt);
+}
+
+TEST(Boundaries, NoParticleGoesDeeperForWhereInAStepItGoesIn) {
+  // Without the part of the step behind the wall it would be up to 1.6 times as deep.
+  const double v = 2;
+  const double exact = [&] {
+    double deepest = 0;
+    const WallParameters wall = BetweenWalls({}, {}, {}, Integration::kLeapFrog).wall;
+    for (double t = 0; t < 0.1; t += 1e-5) deepest = std::max(deepest, PenetrationAfter(wall, v, t).depth);
+    return deepest;
+  }();
+  for (double part = 0; part < 1; part += 0.05) {
+    ParticleSystem system(BetweenWalls({0, -1 + part * v * kDt}, {0, -v}, {Floor(-1)}, Integration::kLeapFrog));
+    system.Reset();
+    for (int k = 0; k < 10; ++k) system.Step();
+    EXPECT_LE(system.DeepestPenetration(), 1.02 * exact) << part;
+    EXPECT_GE(system.DeepestPenetration(), 0.5 * exact) << part << ": between two steps it may have been deeper";
+  }
+}
+
 TEST(Boundaries, TheDampedWallTakesEnergyFromAParticleThatHitsIt) {
   ParticleSystem system(BetweenWalls({0, -0.99}, {0, -1}, {Floor(-1)}, Integration::kLeapFrog));
   system.Reset();

@@ -1,0 +1,111 @@
+// What the walls do to the particles of a ParticleSystem: the penalty force, and the tutorial's reflection.
+#include <algorithm>
+
+#include "particles/particle_system.hpp"
+
+namespace sph {
+namespace {
+
+bool Inside(const Box& box, double x, double y) { return x >= box.x0 && x <= box.x1 && y >= box.y0 && y <= box.y1; }
+
+}  // namespace
+
+void ParticleSystem::Boundaries(std::size_t i) {
+  Particles& p = particles_;
+  const double before =
+      0.5 * previous_step_;  // v- is as long before t as half the last step, v+ after it half the next
+  const double after = 0.5 * parameters.time_step;
+  double damping = 0;  // [1/s], of all the walls that the particle is in
+  for (const Wall& wall : parameters.walls) {
+    const double depth = wall.Depth(p.Position(i));
+    if (depth <= 0) continue;
+    deepest_ = std::max(deepest_, depth);
+    const Vec2 push = parameters.wall.stiffness * depth * wall.Normal();
+    const double speed = wall.velocity * parameters.wall.damping;  // damping is relative to the wall
+    p.ax[i] += push.x + (wall.Vertical() ? speed : 0.0);
+    p.ay[i] += push.y + (wall.Vertical() ? 0.0 : speed);
+    damping += parameters.wall.damping;
+  }
+  if (damping == 0) return;
+  if (parameters.integration != Integration::kLeapFrog) {
+    p.ax[i] -= damping * p.vx[i];
+    p.ay[i] -= damping * p.vy[i];
+    return;
+  }
+  // Integrate knows the motion damping nu only. This is the acceleration with which its step comes out as the step of
+  // the second-order form with n = nu + damping: v+ = [v- (1 - n before) + a (before + after)]/(1 + n after).
+  const double nu = parameters.motion_damping;
+  const double span = before + after;
+  const auto damped = [&](double a, double v_prev) {
+    const double wanted = (v_prev * (1 - (nu + damping) * before) + a * span) / (1 + (nu + damping) * after);
+    return (wanted * (1 + nu * after) - v_prev * (1 - nu * before)) / span;
+  };
+  p.ax[i] = damped(p.ax[i], p.vx_prev[i]);
+  p.ay[i] = damped(p.ay[i], p.vy_prev[i]);
+}
+
+void ParticleSystem::AddWallForces() {
+  if (parameters.walls.empty() || parameters.wall.kind != WallKind::kPenalty) return;
+  const Box legal = LegalRegion(parameters.walls);
+  // A wall that was moved by hand since the last step, or new particles: what that step noted no longer holds.
+  const bool noted = legal == legal_ && !behind_wall_.empty();
+  if (noted && std::ranges::find(behind_wall_, 1) == behind_wall_.end()) return;
+  const PhaseTimer timer(phases_, "walls");
+  const std::size_t n = particles_.Size();
+  for (std::size_t first = 0, chunk = 0; first < n; first += kParticlesPerChunk, ++chunk) {
+    if (noted && behind_wall_[chunk] == 0) continue;
+    const std::size_t last = std::min(first + kParticlesPerChunk, n);
+    for (std::size_t i = first; i < last; ++i) {
+      if (!Inside(legal, particles_.x[i], particles_.y[i])) Boundaries(i);
+    }
+  }
+}
+
+/// The penalty force acts on a particle that was behind a wall when the step began. One that went in during the step
+/// gets here what the wall does to it from that moment on; without it a particle of Table II's dam, shot at the far
+/// wall, is 0.6 spacings deep before it feels it. The damping along the wall starts with the next step.
+void ParticleSystem::CatchAtWalls(std::size_t first, std::size_t last) {
+  constexpr double kRoundOff = 1 + 1e-9;
+  const double dt = parameters.time_step;
+  Particles& p = particles_;
+  for (const Wall& wall : parameters.walls) {
+    auto& position = wall.Vertical() ? p.x : p.y;
+    auto& velocity = wall.Vertical() ? p.vx : p.vy;
+    auto& previous = wall.Vertical() ? p.vx_prev : p.vy_prev;
+    const double inwards = -(wall.Normal().x + wall.Normal().y);
+    for (std::size_t i = first; i < last; ++i) {
+      const double depth = wall.Depth(p.Position(i));
+      const double speed = inwards * (previous[i] - wall.velocity);
+      if (depth <= 0 || depth > speed * dt * kRoundOff) continue;  // in the fluid, or inside when the step began
+      const double since = depth / speed;                          // [s], since it went in
+      const Penetration now = PenetrationAfter(parameters.wall, speed, since);
+      const Penetration half_a_step_ago = PenetrationAfter(parameters.wall, speed, std::max(0.0, since - 0.5 * dt));
+      position[i] = wall.at + inwards * now.depth;
+      velocity[i] = wall.velocity + inwards * now.speed;
+      previous[i] = wall.velocity + inwards * half_a_step_ago.speed;
+    }
+  }
+}
+
+void ParticleSystem::ReflectFromWalls() {
+  if (parameters.walls.empty() || parameters.wall.kind != WallKind::kReflect) return;
+  const PhaseTimer timer(phases_, "walls");
+  Particles& p = particles_;
+  const double restitution = parameters.wall.restitution;
+  double deepest = 0;  // [m], as far as a particle is put back
+  for (const Wall& wall : parameters.walls) {
+    auto& position = wall.Vertical() ? p.x : p.y;
+    auto& velocity = wall.Vertical() ? p.vx : p.vy;
+    auto& previous = wall.Vertical() ? p.vx_prev : p.vy_prev;
+    for (std::size_t i = 0; i < p.Size(); ++i) {
+      const double depth = wall.Depth(p.Position(i));
+      if (depth <= 0) continue;
+      deepest = std::max(deepest, depth);
+      position[i] = wall.at;
+      for (double* v : {&velocity[i], &previous[i]}) *v = wall.velocity - restitution * (*v - wall.velocity);
+    }
+  }
+  travelled_ += 2 * deepest;  // in x and in y: a corner puts a particle back twice
+}
+
+}  // namespace sph
