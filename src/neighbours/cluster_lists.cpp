@@ -39,6 +39,7 @@ void Find(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Po
   const auto reach_units = static_cast<Real>(reach * per_unit * (1 + 1e-6));
   const auto reach2 = hn::Set(d, reach_units * reach_units);
   std::uint32_t found = 0;
+  block.coarse = true;
   block.begin.assign(block.last - block.first + 1, 0);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     const Box& box = boxes.Of(k);

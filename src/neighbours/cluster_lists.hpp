@@ -15,6 +15,8 @@ namespace sph {
 struct ListBlock {
   std::uint32_t first = 0;
   std::uint32_t last = 0;
+  bool coarse = false;                 // made by distance from a cluster's box; the next density pass, which computes
+                                       // all distances anyway, keeps what is within reach of one of its particles
   std::vector<std::uint32_t> begin;    // [clusters + 1]
   std::vector<std::uint32_t> numbers;  // room for kPadding more than are valid
   std::vector<std::uint32_t> hints;    // of ClusterBoxes::FindCells

@@ -41,13 +41,15 @@ class Positions {
     }
   }
 
-  /// Takes positions [m]; values of the padding are of no meaning, but finite.
-  void Set(std::span<const double> x, std::span<const double> y, double support) {
-    const std::size_t n = x.size();
-    const double per_unit = 1 / Unit(support);
+  /// Room for n particles and the padding, whose values are of no meaning, but finite.
+  void Resize(std::size_t n) {
     x_.resize(n + kPadding);
     y_.resize(n + kPadding);
-    for (std::size_t i = 0; i < n; ++i) {
+  }
+  /// Takes the positions [m] of the particles first ... last - 1.
+  void Set(std::span<const double> x, std::span<const double> y, double support, std::size_t first, std::size_t last) {
+    const double per_unit = 1 / Unit(support);
+    for (std::size_t i = first; i < last; ++i) {
       x_[i] = ToCoordinate(x[i], per_unit);
       y_[i] = ToCoordinate(y[i], per_unit);
     }

@@ -31,7 +31,7 @@ void ParticleSystem::Reset() {
   deepest_ = last_travel_ = travelled_ = 0;
   phases_.Clear();
   particles_.Clear();
-  behind_wall_.clear();
+  notes_.clear();
   InitialPositions();
   ForgetNeighbours();
   StepBackwards(0);
@@ -92,7 +92,7 @@ std::string ParticleSystem::DropBlock() {
   if (places.empty()) return "no room for another block: wait until the last one has fallen";
   const auto first_id = static_cast<std::uint32_t>(particles_.Size());
   for (const Vec2 place : places) particles_.Add(place, drop.velocity, parameters.particle_mass);
-  behind_wall_.clear();
+  notes_.clear();
   ForgetNeighbours();
   StepBackwards(first_id);
   return {};
@@ -165,18 +165,13 @@ void ParticleSystem::Integrate() {
     const double dt = parameters.time_step;
     MoveWalls(parameters.walls, dt);
     legal_ = LegalRegion(parameters.walls);
-    const std::size_t n = particles_.Size();
-    const std::size_t chunks = (n + kParticlesPerChunk - 1) / kParticlesPerChunk;
-    behind_wall_.resize(chunks);
+    notes_.resize(ChunkCount());
+    ForEachChunk([&](std::size_t chunk, std::size_t first, std::size_t last) { notes_[chunk] = Advance(first, last); });
     double fastest2 = 0;  // [m^2/s^2]
     bool finite = true;
-#pragma omp parallel for schedule(static) num_threads(ThreadCount()) reduction(max : fastest2) \
-    reduction(&& : finite) if (chunks > 8)
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-      const std::size_t first = chunk * kParticlesPerChunk;
-      const double speed2 = Advance(first, std::min(first + kParticlesPerChunk, n), behind_wall_[chunk]);
-      finite = finite && std::isfinite(speed2);
-      fastest2 = std::max(fastest2, speed2);
+    for (const ChunkNotes& notes : notes_) {
+      fastest2 = std::max(fastest2, notes.fastest2);
+      finite = finite && std::isfinite(notes.fastest2);
     }
     previous_step_ = dt;
     last_travel_ = std::sqrt(fastest2) * dt;
@@ -189,9 +184,7 @@ void ParticleSystem::Integrate() {
 }
 
 /// One leapfrog step of the particles first ... last - 1.
-/// @param behind_wall  set to whether one of them is behind a wall afterwards
-/// @return the square of the highest speed [m^2/s^2]; not a number if that of a particle is not
-double ParticleSystem::Advance(std::size_t first, std::size_t last, char& behind_wall) {
+ParticleSystem::ChunkNotes ParticleSystem::Advance(std::size_t first, std::size_t last) {
   const double dt = parameters.time_step;
   const double before = 0.5 * previous_step_;
   const double after = 0.5 * dt;
@@ -237,9 +230,9 @@ double ParticleSystem::Advance(std::size_t first, std::size_t last, char& behind
     const double beyond_y = std::max(legal.y0 - new_y, new_y - legal.y1);
     outside += std::max(beyond_x, beyond_y) > 0 ? 1.0 : 0.0;
   }
-  behind_wall = outside > 0 ? 1 : 0;
-  if (behind_wall != 0 && second_order && parameters.wall.kind == WallKind::kPenalty) CatchAtWalls(first, last);
-  return std::isfinite(sum2) ? fastest2 : sum2;
+  const bool behind_wall = outside > 0;
+  if (behind_wall && second_order && parameters.wall.kind == WallKind::kPenalty) CatchAtWalls(first, last);
+  return {.fastest2 = std::isfinite(sum2) ? fastest2 : sum2, .behind_wall = behind_wall};
 }
 
 void ParticleSystem::ReportTrouble() {

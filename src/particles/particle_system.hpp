@@ -1,8 +1,10 @@
 // The paper's base class (IV): particles under gravity and damping, between walls, integrated by leapfrog.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/clock.hpp"
 #include "base/random.hpp"
@@ -88,7 +90,8 @@ class ParticleSystem {
 
  protected:
   /// The penalty force and damping of every wall that particle i is inside of (paper, IV-D).
-  void Boundaries(std::size_t i);
+  /// @return how deep it is [m]
+  double Boundaries(std::size_t i);
   /// These two, and ClearAccelerations, act on the particles first ... last - 1.
   void AddGravity(std::size_t first, std::size_t last);
   void AddMotionDamping(std::size_t first, std::size_t last);
@@ -101,6 +104,10 @@ class ParticleSystem {
   virtual double LongestMove() const;
 
   int ThreadCount() const;
+  std::size_t ChunkCount() const { return (particles_.Size() + kParticlesPerChunk - 1) / kParticlesPerChunk; }
+  /// Calls work(chunk, first, last) for the particles first ... last - 1 of every chunk, on all threads.
+  template <typename Work>
+  void ForEachChunk(Work work) const;
   /// How far the fastest particle went in the last step [m].
   double LastTravel() const { return last_travel_; }
   /// The sum of that over all steps: no particle went further since the start [m].
@@ -108,7 +115,7 @@ class ParticleSystem {
   /// Puts the particles in another order, see Particles::Reorder.
   void Reorder(std::span<const std::uint32_t> order) {
     particles_.Reorder(order);
-    behind_wall_.clear();  // it was noted in the old order
+    notes_.clear();  // of the old order
   }
   /// Called when particles were added, removed or moved by other means than a step.
   virtual void ForgetNeighbours() {}
@@ -117,17 +124,24 @@ class ParticleSystem {
   PhaseTimes phases_;
 
  private:
+  /// The unit of work of the passes over single particles: small, so that few are looked through for those at walls.
+  static constexpr std::size_t kParticlesPerChunk = 128;
+
+  /// Of a chunk's particles after a step.
+  struct ChunkNotes {
+    double fastest2 = 0;  ///< square of the highest speed [m^2/s^2]; not a number if one of the speeds is not
+    bool behind_wall = false;
+    double deepest = 0;  ///< penetration when the walls were looked at [m]
+  };
+
   void AddWallForces();
   void ChooseStep();
   void Integrate();
-  double Advance(std::size_t first, std::size_t last, char& behind_wall);
+  ChunkNotes Advance(std::size_t first, std::size_t last);
   void CatchAtWalls(std::size_t first, std::size_t last);
   void ReflectFromWalls();
   void StepBackwards(std::uint32_t first_id);
   void ReportTrouble();
-
-  /// The unit of work of the passes over single particles.
-  static constexpr std::size_t kParticlesPerChunk = 1024;
 
   Parameters initial_parameters_;
   std::optional<Instability> trouble_;
@@ -137,10 +151,20 @@ class ParticleSystem {
   double previous_step_ = 0;  // [s], of the last step
   double last_travel_ = 0;
   double travelled_ = 0;
-  // Which chunks of kParticlesPerChunk particles had one behind a wall after the last step, the walls then leaving
-  // legal_.
-  std::vector<char> behind_wall_;
+  std::vector<ChunkNotes> notes_;  // [chunks], of the last step, whose walls left legal_; empty if they do not hold
   Box legal_;
 };
+
+template <typename Work>
+void ParticleSystem::ForEachChunk(Work work) const {
+  constexpr std::size_t kChunksOfOneThread = 64;  // waking the others costs more than so little work
+  const std::size_t n = particles_.Size();
+  const std::size_t chunks = ChunkCount();
+#pragma omp parallel for schedule(static) num_threads(ThreadCount()) if (chunks > kChunksOfOneThread)
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+    const std::size_t first = chunk * kParticlesPerChunk;
+    work(chunk, first, std::min(first + kParticlesPerChunk, n));
+  }
+}
 
 }  // namespace sph

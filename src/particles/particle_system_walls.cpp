@@ -10,27 +10,28 @@ bool Inside(const Box& box, double x, double y) { return x >= box.x0 && x <= box
 
 }  // namespace
 
-void ParticleSystem::Boundaries(std::size_t i) {
+double ParticleSystem::Boundaries(std::size_t i) {
   Particles& p = particles_;
   const double before =
       0.5 * previous_step_;  // v- is as long before t as half the last step, v+ after it half the next
   const double after = 0.5 * parameters.time_step;
+  double deepest = 0;
   double damping = 0;  // [1/s], of all the walls that the particle is in
   for (const Wall& wall : parameters.walls) {
     const double depth = wall.Depth(p.Position(i));
     if (depth <= 0) continue;
-    deepest_ = std::max(deepest_, depth);
+    deepest = std::max(deepest, depth);
     const Vec2 push = parameters.wall.stiffness * depth * wall.Normal();
     const double speed = wall.velocity * parameters.wall.damping;  // damping is relative to the wall
     p.ax[i] += push.x + (wall.Vertical() ? speed : 0.0);
     p.ay[i] += push.y + (wall.Vertical() ? 0.0 : speed);
     damping += parameters.wall.damping;
   }
-  if (damping == 0) return;
+  if (damping == 0) return deepest;
   if (parameters.integration != Integration::kLeapFrog) {
     p.ax[i] -= damping * p.vx[i];
     p.ay[i] -= damping * p.vy[i];
-    return;
+    return deepest;
   }
   // Integrate knows the motion damping nu only. This is the acceleration with which its step comes out as the step of
   // the second-order form with n = nu + damping: v+ = [v- (1 - n before) + a (before + after)]/(1 + n after).
@@ -42,23 +43,25 @@ void ParticleSystem::Boundaries(std::size_t i) {
   };
   p.ax[i] = damped(p.ax[i], p.vx_prev[i]);
   p.ay[i] = damped(p.ay[i], p.vy_prev[i]);
+  return deepest;
 }
 
 void ParticleSystem::AddWallForces() {
   if (parameters.walls.empty() || parameters.wall.kind != WallKind::kPenalty) return;
   const Box legal = LegalRegion(parameters.walls);
   // A wall that was moved by hand since the last step, or new particles: what that step noted no longer holds.
-  const bool noted = legal == legal_ && !behind_wall_.empty();
-  if (noted && std::ranges::find(behind_wall_, 1) == behind_wall_.end()) return;
+  if (legal != legal_ || notes_.empty()) notes_.assign(ChunkCount(), {.behind_wall = true});
+  if (std::ranges::none_of(notes_, &ChunkNotes::behind_wall)) return;
   const PhaseTimer timer(phases_, "walls");
-  const std::size_t n = particles_.Size();
-  for (std::size_t first = 0, chunk = 0; first < n; first += kParticlesPerChunk, ++chunk) {
-    if (noted && behind_wall_[chunk] == 0) continue;
-    const std::size_t last = std::min(first + kParticlesPerChunk, n);
+  ForEachChunk([&](std::size_t chunk, std::size_t first, std::size_t last) {
+    if (!notes_[chunk].behind_wall) return;
+    double deepest = 0;
     for (std::size_t i = first; i < last; ++i) {
-      if (!Inside(legal, particles_.x[i], particles_.y[i])) Boundaries(i);
+      if (!Inside(legal, particles_.x[i], particles_.y[i])) deepest = std::max(deepest, Boundaries(i));
     }
-  }
+    notes_[chunk].deepest = deepest;
+  });
+  for (const ChunkNotes& notes : notes_) deepest_ = std::max(deepest_, notes.deepest);
 }
 
 /// The penalty force acts on a particle that was behind a wall when the step began. One that went in during the step
@@ -68,21 +71,22 @@ void ParticleSystem::CatchAtWalls(std::size_t first, std::size_t last) {
   constexpr double kRoundOff = 1 + 1e-9;
   const double dt = parameters.time_step;
   Particles& p = particles_;
-  for (const Wall& wall : parameters.walls) {
-    auto& position = wall.Vertical() ? p.x : p.y;
-    auto& velocity = wall.Vertical() ? p.vx : p.vy;
-    auto& previous = wall.Vertical() ? p.vx_prev : p.vy_prev;
-    const double inwards = -(wall.Normal().x + wall.Normal().y);
-    for (std::size_t i = first; i < last; ++i) {
-      const double depth = wall.Depth(p.Position(i));
-      const double speed = inwards * (previous[i] - wall.velocity);
+  for (std::size_t i = first; i < last; ++i) {
+    if (Inside(legal_, p.x[i], p.y[i])) continue;
+    for (const Wall& wall : parameters.walls) {
+      double& position = wall.Vertical() ? p.x[i] : p.y[i];
+      double& velocity = wall.Vertical() ? p.vx[i] : p.vy[i];
+      double& previous = wall.Vertical() ? p.vx_prev[i] : p.vy_prev[i];
+      const double inwards = -(wall.Normal().x + wall.Normal().y);
+      const double depth = inwards * (position - wall.at);
+      const double speed = inwards * (previous - wall.velocity);
       if (depth <= 0 || depth > speed * dt * kRoundOff) continue;  // in the fluid, or inside when the step began
       const double since = depth / speed;                          // [s], since it went in
       const Penetration now = PenetrationAfter(parameters.wall, speed, since);
       const Penetration half_a_step_ago = PenetrationAfter(parameters.wall, speed, std::max(0.0, since - 0.5 * dt));
-      position[i] = wall.at + inwards * now.depth;
-      velocity[i] = wall.velocity + inwards * now.speed;
-      previous[i] = wall.velocity + inwards * half_a_step_ago.speed;
+      position = wall.at + inwards * now.depth;
+      velocity = wall.velocity + inwards * now.speed;
+      previous = wall.velocity + inwards * half_a_step_ago.speed;
     }
   }
 }

@@ -92,40 +92,68 @@ HWY_INLINE void AddLanes(hn::ScalableTag<double> d, hn::Vec<hn::ScalableTag<doub
 }
 HWY_INLINE void AddLanes(hn::ScalableTag<float> d, hn::Vec<hn::ScalableTag<float>> values, const Cluster& cluster,
                          double* to) {
+#if HWY_TARGET != HWY_SCALAR
+  if (cluster.count == hn::Lanes(d)) {
+    const hn::Half<decltype(d)> half;
+    const hn::ScalableTag<double> dd;
+    double* const lower = to + cluster.first;
+    double* const upper = lower + hn::Lanes(dd);
+    hn::StoreU(hn::Add(hn::LoadU(dd, lower), hn::PromoteTo(dd, hn::LowerHalf(half, values))), dd, lower);
+    hn::StoreU(hn::Add(hn::LoadU(dd, upper), hn::PromoteTo(dd, hn::UpperHalf(half, values))), dd, upper);
+    return;
+  }
+#endif
   HWY_ALIGN float lanes[hn::MaxLanes(d)];
   hn::Store(values, d, lanes);
   for (std::uint32_t k = 0; k < cluster.count; ++k) to[cluster.first + k] += static_cast<double>(lanes[k]);
 }
 
-template <typename Real, template <class> class Kernel, bool kEqualMasses>
-void Density(const PassInput<Real>& input, const ListBlock& block, double constant, Real* density) {
+template <typename Real, template <class> class Kernel, bool kEqualMasses, bool kRefine>
+void Density(const PassInput<Real>& input, ListBlock& block, double constant, Real* density) {
   const hn::ScalableTag<Real> d;
   const Pairs<Real> pairs(input);
   const Kernel<decltype(d)> kernel(d, pairs.Support());
   const auto factor = hn::Set(d, static_cast<Real>(constant));
+  // A little further than the lists' reach, against round-off.
+  const Real reach = pairs.Support() * static_cast<Real>(input.reach / input.support * (1 + 1e-6));
+  const auto reach2 = hn::Set(d, reach * reach);
+  std::uint32_t* const numbers = block.numbers.data();
+  std::uint32_t begin = 0;
+  std::uint32_t kept = 0;
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     auto sum = hn::Zero(d);
-    pairs.ForEach(input.clusters[k], block.Of(k), [&]([[maybe_unused]] std::uint32_t j, auto, auto, auto r2) HWY_ATTR {
-      if constexpr (kEqualMasses) {
-        sum = hn::Add(sum, kernel.Value(r2));
-      } else {
-        sum = hn::MulAdd(hn::Set(d, input.mass[j]), kernel.Value(r2), sum);
-      }
-    });
+    std::uint32_t& end = block.begin[k - block.first + 1];
+    pairs.ForEach(input.clusters[k], {numbers + begin, numbers + end},
+                  [&]([[maybe_unused]] std::uint32_t j, auto, auto, auto r2) HWY_ATTR {
+                    if constexpr (kRefine) {
+                      numbers[kept] = j;
+                      kept += hn::AllFalse(d, hn::Lt(r2, reach2)) ? 0 : 1;
+                    }
+                    if constexpr (kEqualMasses) {
+                      sum = kernel.AddValue(r2, sum);
+                    } else {
+                      sum = hn::MulAdd(hn::Set(d, input.mass[j]), kernel.AddValue(r2, hn::Zero(d)), sum);
+                    }
+                  });
     StoreCluster(d, hn::Mul(sum, factor), input.clusters[k], density);
+    begin = end;
+    if constexpr (kRefine) end = kept;
   }
+  if constexpr (kRefine) block.coarse = false;
 }
 
 /// `constant` makes an integral of 1 of the kernel's value without constants; powers of the support in it are those of
 /// metres.
 template <typename Real, template <class> class Kernel>
-void DensityOf(const PassInput<Real>& input, const ListBlock& block, double constant, int power, Real* density) {
+void DensityOf(const PassInput<Real>& input, ListBlock& block, double constant, int power, Real* density) {
   const double in_units = constant * std::pow(Positions<Real>::Unit(input.support), power);
   if (input.mass == nullptr) {
-    Density<Real, Kernel, true>(input, block, in_units * input.equal_mass, density);
-  } else {
-    Density<Real, Kernel, false>(input, block, in_units, density);
+    const double in_kilograms = in_units * input.equal_mass;
+    if (block.coarse) return Density<Real, Kernel, true, true>(input, block, in_kilograms, density);
+    return Density<Real, Kernel, true, false>(input, block, in_kilograms, density);
   }
+  if (block.coarse) return Density<Real, Kernel, false, true>(input, block, in_units, density);
+  return Density<Real, Kernel, false, false>(input, block, in_units, density);
 }
 
 double CubicSplineConstant(double support) {
@@ -134,12 +162,12 @@ double CubicSplineConstant(double support) {
 }
 
 template <typename Real>
-void CubicSplineDensity(const PassInput<Real>& input, const ListBlock& block, Real* density) {
+void CubicSplineDensity(const PassInput<Real>& input, ListBlock& block, Real* density) {
   DensityOf<Real, CubicSplineLanes>(input, block, CubicSplineConstant(input.support), 3, density);
 }
 
 template <typename Real>
-void Poly6Density(const PassInput<Real>& input, const ListBlock& block, Real* density) {
+void Poly6Density(const PassInput<Real>& input, ListBlock& block, Real* density) {
   DensityOf<Real, Poly6Lanes>(input, block, 4 / (std::numbers::pi * input.support * input.support), 0, density);
 }
 
@@ -239,10 +267,10 @@ void MuellerForces(const PassInput<Real>& input, const MuellerInput<Real>& muell
 }  // namespace
 
 #define SPH_PASSES_OF(Real, Name)                                                                                    \
-  void CubicSplineDensity##Name(const PassInput<Real>& input, const ListBlock& block, Real* density) {               \
+  void CubicSplineDensity##Name(const PassInput<Real>& input, ListBlock& block, Real* density) {                     \
     CubicSplineDensity<Real>(input, block, density);                                                                 \
   }                                                                                                                  \
-  void Poly6Density##Name(const PassInput<Real>& input, const ListBlock& block, Real* density) {                     \
+  void Poly6Density##Name(const PassInput<Real>& input, ListBlock& block, Real* density) {                           \
     Poly6Density<Real>(input, block, density);                                                                       \
   }                                                                                                                  \
   void CubicSplinePressure##Name(const PassInput<Real>& input, const ListBlock& block, const Real* term, double* ax, \
@@ -270,11 +298,11 @@ namespace sph {
   HWY_EXPORT(CubicSplinePressure##Name);                                                                               \
   HWY_EXPORT(MuellerForces##Name);                                                                                     \
   template <>                                                                                                          \
-  void ComputeCubicSplineDensity<Real>(const PassInput<Real>& input, const ListBlock& block, Real* density) {          \
+  void ComputeCubicSplineDensity<Real>(const PassInput<Real>& input, ListBlock& block, Real* density) {                \
     HWY_DYNAMIC_DISPATCH(CubicSplineDensity##Name)(input, block, density);                                             \
   }                                                                                                                    \
   template <>                                                                                                          \
-  void ComputePoly6Density<Real>(const PassInput<Real>& input, const ListBlock& block, Real* density) {                \
+  void ComputePoly6Density<Real>(const PassInput<Real>& input, ListBlock& block, Real* density) {                      \
     HWY_DYNAMIC_DISPATCH(Poly6Density##Name)(input, block, density);                                                   \
   }                                                                                                                    \
   template <>                                                                                                          \

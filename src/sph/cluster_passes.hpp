@@ -12,18 +12,19 @@ template <typename Real>
 struct PassInput {
   const Positions<Real>* positions = nullptr;
   double support = 0;  ///< [m]
+  double reach = 0;    ///< of the lists [m]
   const Real* mass = nullptr;
   double equal_mass = 0;
   std::span<const Cluster> clusters;
 };
 
 /// rho_i = sum_j m_j W_ij [Braune & Lewiner eq. 8] of the block's particles, overwritten [kg/m^3]. Arrays may be
-/// written up to kPadding beyond the last particle.
+/// written up to kPadding beyond the last particle. Lists that are coarse become shorter.
 template <typename Real>
-void ComputeCubicSplineDensity(const PassInput<Real>& input, const ListBlock& block, Real* density);
+void ComputeCubicSplineDensity(const PassInput<Real>& input, ListBlock& block, Real* density);
 /// The same with Poly6.
 template <typename Real>
-void ComputePoly6Density(const PassInput<Real>& input, const ListBlock& block, Real* density);
+void ComputePoly6Density(const PassInput<Real>& input, ListBlock& block, Real* density);
 
 /// Adds -sum_j m_j (T_i + T_j) grad_i W_ij, T = P/rho^2 [m^5/(kg s^2)] [Braune & Lewiner eq. 10], to the accelerations
 /// [m/s^2] of the block's particles.

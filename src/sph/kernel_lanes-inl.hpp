@@ -68,12 +68,12 @@ class CubicSplineLanes {
         minus_half_support_scaled_(hn::Set(d, static_cast<T>(-0.5 * 1.5874010519681994748) * support)),
         minus_support_(hn::Set(d, -support)) {}
 
-  /// o^3 - 4 i^3
-  HWY_INLINE V Value(V r2) const {
+  /// sum + o^3 - 4 i^3
+  HWY_INLINE V AddValue(V r2, V sum) const {
     const V outer = Distance<D>(d_, r2).SubtractedFrom(support_);
     const V inner = hn::Max(hn::MulAdd(outer, cube_root_of_4_, minus_half_support_scaled_), hn::Zero(d_));
     const V o = hn::Max(outer, hn::Zero(d_));
-    return hn::NegMulAdd(hn::Mul(inner, inner), inner, hn::Mul(hn::Mul(o, o), o));
+    return hn::NegMulAdd(hn::Mul(inner, inner), inner, hn::MulAdd(hn::Mul(o, o), o, sum));
   }
   /// (o^2 - 4 i^2)/r, which is -W'/r without the factor 3 C (2/R)^3
   HWY_INLINE V NegativeSlopeOverR(V r2) const {
@@ -92,7 +92,7 @@ class CubicSplineLanes {
   V minus_support_;
 };
 
-/// Poly6: (1 - r^2/R^2)^3.
+/// Poly6: sum + (1 - r^2/R^2)^3.
 template <class D>
 class Poly6Lanes {
  public:
@@ -100,10 +100,10 @@ class Poly6Lanes {
 
   Poly6Lanes(D d, hn::TFromD<D> support) : d_(d), per_support2_(hn::Set(d, 1 / (support * support))) {}
 
-  HWY_INLINE V Value(V r2) const {
+  HWY_INLINE V AddValue(V r2, V sum) const {
     const V one = hn::Set(d_, static_cast<hn::TFromD<D>>(1));
     const V rest = hn::Max(hn::NegMulAdd(r2, per_support2_, one), hn::Zero(d_));
-    return hn::Mul(hn::Mul(rest, rest), rest);
+    return hn::MulAdd(hn::Mul(rest, rest), rest, sum);
   }
 
  private:

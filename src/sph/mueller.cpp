@@ -17,7 +17,7 @@ void Mueller::ResizeArrays(std::size_t n) {
       arrays_);
 }
 
-void Mueller::ComputeDensities(const ListBlock& block) {
+void Mueller::ComputeDensities(ListBlock& block) {
   std::visit([&](auto& fluid) { ComputePoly6Density(InputOf(fluid), block, fluid.density.data()); }, fluid_);
 }
 

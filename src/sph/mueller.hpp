@@ -19,7 +19,7 @@ class Mueller final : public ParticleSystemSPH {
 
  protected:
   void ResizeArrays(std::size_t n) override;
-  void ComputeDensities(const ListBlock& block) override;
+  void ComputeDensities(ListBlock& block) override;
   void PrepareInteraction(std::size_t first, std::size_t last) override;
   void AddSpatialInteraction(const ListBlock& block) override;
 

@@ -44,7 +44,9 @@ void ParticleSystemSPH::PrepareGrid() {
           equal ? fluid.mass.clear() : Convert<Real>(p.mass, fluid.mass);
           ResizeArrays(p.Size());
         }
-        fluid.positions.Set(p.x, p.y, Support());
+        ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {
+          fluid.positions.Set(p.x, p.y, Support(), first, last);
+        });
         if (task == SearchTask::kNothing) return;
         neighbours_.Prepare(p.x, p.y, LastTravel());
         ForEachBlock([&](ListBlock& block) { FindCells(block); });
@@ -65,13 +67,14 @@ void ParticleSystemSPH::FindCells(ListBlock& block) {
 void ParticleSystemSPH::ResizeArrays(std::size_t n) {
   std::visit(
       [n](auto& fluid) {
+        fluid.positions.Resize(n);
         fluid.density.resize(n + kPadding);
         fluid.pressure_term.resize(n + kPadding);
       },
       fluid_);
 }
 
-void ParticleSystemSPH::ComputeDensities(const ListBlock& block) {
+void ParticleSystemSPH::ComputeDensities(ListBlock& block) {
   std::visit([&](auto& fluid) { ComputeCubicSplineDensity(InputOf(fluid), block, fluid.density.data()); }, fluid_);
 }
 
@@ -89,7 +92,7 @@ void ParticleSystemSPH::PrepareInteraction(std::size_t first, std::size_t last) 
 void ParticleSystemSPH::ComputePressures() {
   PrepareGrid();
   const PhaseTimer timer(phases_, "density");
-  ForEachBlock([&](const ListBlock& block) {
+  ForEachBlock([&](ListBlock& block) {
     ComputeDensities(block);
     const auto [first, last] = ParticlesOf(block);
     PrepareInteraction(first, last);

@@ -70,7 +70,7 @@ class ParticleSystemSPH : public ParticleSystem {
   /// Makes room in the arrays of the passes for n particles and the padding.
   virtual void ResizeArrays(std::size_t n);
   /// Density of the block's particles.
-  virtual void ComputeDensities(const ListBlock& block);
+  virtual void ComputeDensities(ListBlock& block);
   /// What else a derived solver reads in its interaction, of the particles first ... last - 1, once their density is
   /// known.
   virtual void PrepareInteraction(std::size_t first, std::size_t last);
@@ -102,7 +102,7 @@ void ParticleSystemSPH::ForEachBlock(Work work) {
 template <typename Real>
 PassInput<Real> ParticleSystemSPH::InputOf(const FluidArrays<Real>& fluid) const {
   const double equal_mass = particles_.Size() == 0 ? 0 : particles_.mass[0];
-  return {&fluid.positions, Support(), fluid.Masses(), equal_mass, neighbours_.Clusters()};
+  return {&fluid.positions, Support(), neighbours_.Reach(), fluid.Masses(), equal_mass, neighbours_.Clusters()};
 }
 
 }  // namespace sph

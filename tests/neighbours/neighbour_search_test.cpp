@@ -27,7 +27,8 @@ struct Found {
     Find(travel_per_step);
   }
   void Find(double travel_per_step) {
-    positions.Set(x, y, kSupport);
+    positions.Resize(x.size());
+    positions.Set(x, y, kSupport, 0, x.size());
     search.Prepare(x, y, travel_per_step);
     for (ListBlock& block : search.Blocks()) {
       FindNeighbours<Real>(search.Clusters(), search.Boxes(), positions, kSupport, search.Reach(), block);
@@ -174,7 +175,8 @@ TEST(NeighbourSearch, MemoryFollowsTheNumberOfParticlesHoweverFarTheyAre) {
 TEST(Positions, DifferencesAreExactToFloatFarFromTheOrigin) {
   const std::vector<double> x = {1e6 * kSupport, 1e6 * kSupport + 0.3 * kSupport};
   Positions<float> positions;
-  positions.Set(x, x, kSupport);
+  positions.Resize(x.size());
+  positions.Set(x, x, kSupport, 0, x.size());
   const double unit = Positions<float>::Unit(kSupport);
   EXPECT_NEAR((positions.X()[1] - positions.X()[0]) * unit, x[1] - x[0], unit);
 }

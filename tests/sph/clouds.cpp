@@ -84,7 +84,8 @@ Neighbourhood<Real> FindNeighbours(const Cloud& cloud, double support) {
   }
   const Cloud& sorted = found.cloud;
   found.search.Cut(sorted.x, sorted.y);
-  found.positions.Set(sorted.x, sorted.y, support);
+  found.positions.Resize(sorted.Size());
+  found.positions.Set(sorted.x, sorted.y, support, 0, sorted.Size());
   found.search.Prepare(sorted.x, sorted.y, 0);
   for (ListBlock& block : found.search.Blocks()) {
     FindNeighbours<Real>(found.search.Clusters(), found.search.Boxes(), found.positions, support, found.search.Reach(),
