@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "sph/mueller.hpp"
 #include "sph/solvers.hpp"
 
 namespace sph {
@@ -24,6 +25,11 @@ void ScaleToParticles(Scene& scene, std::size_t particles) {
     *length /= root;
   }
   base.time_step /= root;
+  const auto* water = std::get_if<IdealGas>(&scene.sph.equation_of_state);
+  if (f > 1 && water != nullptr && scene.sph.viscosity > 0) {
+    const double viscous = ViscousStep(scene.sph.viscosity, water->rho0, scene.sph.smoothing_length);
+    base.time_step = std::min(base.time_step, kStepSafety * viscous);
+  }
   if (scene.wall_scaling == WallScaling::kDerived) {
     base.wall.stiffness *= f;
     base.wall.damping *= root;

@@ -63,14 +63,10 @@ void Mueller::AddSpatialInteraction(const ListBlock& block) {
 
 std::vector<StepLimit> Mueller::StepLimits() const {
   std::vector<StepLimit> limits = ParticleSystemSPH::StepLimits();
-  if (parameters_sph.viscosity > 0) {
-    const double least = std::visit(
-        [&](const auto& fluid) {
-          return static_cast<double>(*std::min_element(fluid.density.begin(), fluid.density.end() - kPadding));
-        },
-        fluid_);
-    const double h = 0.5 * Support();
-    limits.push_back({"viscosity", 0.3 * h * h * least / parameters_sph.viscosity});
+  const auto density = Density();
+  if (parameters_sph.viscosity > 0 && !density.empty()) {
+    const double least = *std::min_element(density.begin(), density.end());
+    limits.push_back({"viscosity", ViscousStep(parameters_sph.viscosity, least, Support())});
   }
   return limits;
 }

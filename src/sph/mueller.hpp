@@ -5,6 +5,13 @@
 
 namespace sph {
 
+/// A step that explicit viscosity mu [Pa s] is just stable with [s], at a density [kg/m^3] and a support radius [m]: in
+/// proportion to the square of the spacing, where sound allows its first power.
+inline double ViscousStep(double mu, double density, double support) {
+  const double h = 0.5 * support;
+  return 0.3 * h * h * density / mu;
+}
+
 /// Poly6 density, Spiky pressure, Viscosity kernel [Mueller, Charypar & Gross 2003]. `smoothing_length` is the support
 /// radius. With parameters_sph.mueller_published it repeats the tutorial's program as first published: see
 /// AddMuellerForces for its kernel gradient; its gravity is multiplied by m/rho^2.
