@@ -1,4 +1,5 @@
-// The kernels of kernels.hpp on vectors, without their constants: included once for each instruction set.
+// The kernels of kernels.hpp on vectors: included once for each instruction set. Lengths are in units of the
+// coordinates; each kernel says by which factor its lanes become W [1/m^2] and -W'/r times a difference [1/m^3].
 #if defined(SPH_KERNEL_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef SPH_KERNEL_LANES_INL_HPP
 #undef SPH_KERNEL_LANES_INL_HPP
@@ -7,6 +8,9 @@
 #endif
 
 #include <hwy/highway.h>
+
+#include <cmath>
+#include <numbers>
 
 HWY_BEFORE_NAMESPACE();
 namespace sph {
@@ -61,6 +65,9 @@ class CubicSplineLanes {
   using V = hn::Vec<D>;
   using T = hn::TFromD<D>;
 
+  static double ValueFactor(double support, double unit) { return Constant(support) * unit * unit * unit; }
+  static double SlopeFactor(double support, double unit) { return 3 * Constant(support) * unit * unit; }
+
   CubicSplineLanes(D d, T support)
       : d_(d),
         support_(hn::Set(d, support)),
@@ -85,6 +92,12 @@ class CubicSplineLanes {
   }
 
  private:
+  /// C/h^3 [1/m^5]
+  static double Constant(double support) {
+    const double h = 0.5 * support;
+    return 5 / (14 * std::numbers::pi * h * h * h * h * h);
+  }
+
   D d_;
   V support_;
   V cube_root_of_4_;
@@ -98,6 +111,8 @@ class Poly6Lanes {
  public:
   using V = hn::Vec<D>;
 
+  static double ValueFactor(double support, double) { return 4 / (std::numbers::pi * support * support); }
+
   Poly6Lanes(D d, hn::TFromD<D> support) : d_(d), per_support2_(hn::Set(d, 1 / (support * support))) {}
 
   HWY_INLINE V AddValue(V r2, V sum) const {
@@ -109,6 +124,76 @@ class Poly6Lanes {
  private:
   D d_;
   V per_support2_;
+};
+
+/// Wendland C2 with s = r/R: W = C (1-s)^4 (1+4s), -W'/r = 20 C/R^2 (1-s)^3, C = 7/(pi R^2).
+template <class D>
+class WendlandC2Lanes {
+ public:
+  using V = hn::Vec<D>;
+  using T = hn::TFromD<D>;
+
+  static double ValueFactor(double support, double) { return 7 / (std::numbers::pi * support * support); }
+  static double SlopeFactor(double support, double unit) {
+    return 20 * ValueFactor(support, unit) * unit / (support * support);
+  }
+
+  WendlandC2Lanes(D d, T support) : d_(d), support_(hn::Set(d, support)), per_support_(hn::Set(d, 1 / support)) {}
+
+  /// 1 - s, not below 0
+  HWY_INLINE V Rest(V r2) const {
+    const V rest = hn::Mul(Distance<D>(d_, r2).SubtractedFrom(support_), per_support_);
+    return hn::Max(rest, hn::Zero(d_));
+  }
+  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(Rest(r2)), sum); }
+  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(Rest(r2)); }
+  /// The same from 1 - s, where both are wanted.
+  HWY_INLINE V ValueOf(V rest) const {
+    const V square = hn::Mul(rest, rest);
+    const V linear = hn::NegMulAdd(rest, hn::Set(d_, T(4)), hn::Set(d_, T(5)));
+    return hn::Mul(hn::Mul(square, square), linear);
+  }
+  HWY_INLINE V SlopeOf(V rest) const { return hn::Mul(hn::Mul(rest, rest), rest); }
+
+ private:
+  D d_;
+  V support_;
+  V per_support_;
+};
+
+/// Wendland C4: W = C/3 (1-s)^6 (35 s^2 + 18 s + 3), -W'/r = 56/3 C/R^2 (1-s)^5 (1 + 5s), C = 9/(pi R^2).
+template <class D>
+class WendlandC4Lanes {
+ public:
+  using V = hn::Vec<D>;
+  using T = hn::TFromD<D>;
+
+  static double ValueFactor(double support, double) { return 3 / (std::numbers::pi * support * support); }
+  static double SlopeFactor(double support, double unit) {
+    return 56 * ValueFactor(support, unit) * unit / (support * support);
+  }
+
+  WendlandC4Lanes(D d, T support) : d_(d), rest_(d, support) {}
+
+  HWY_INLINE V Rest(V r2) const { return rest_.Rest(r2); }
+  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(Rest(r2)), sum); }
+  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(Rest(r2)); }
+  HWY_INLINE V ValueOf(V rest) const {
+    // 35 s^2 + 18 s + 3 in powers of 1 - s
+    const V square = hn::Mul(rest, rest);
+    const V inner = hn::MulAdd(rest, hn::Set(d_, T(35)), hn::Set(d_, T(-88)));
+    const V polynomial = hn::MulAdd(inner, rest, hn::Set(d_, T(56)));
+    return hn::Mul(hn::Mul(square, hn::Mul(square, square)), polynomial);
+  }
+  HWY_INLINE V SlopeOf(V rest) const {
+    const V square = hn::Mul(rest, rest);
+    const V linear = hn::NegMulAdd(rest, hn::Set(d_, T(5)), hn::Set(d_, T(6)));
+    return hn::Mul(hn::Mul(hn::Mul(square, square), rest), linear);
+  }
+
+ private:
+  D d_;
+  WendlandC2Lanes<D> rest_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -48,6 +48,59 @@ class CubicSpline {
   double g_;
 };
 
+/// Wendland C2 in the plane [Dehnen & Aly, MNRAS 425 (2012) 1068, Table 1]: W = 7/(4 pi h^2) (1-q/2)^4 (1+2q) for q
+/// < 2.
+class WendlandC2 {
+ public:
+  static constexpr double kSupport = 2;
+
+  explicit WendlandC2(double h) : per_h_(1 / h), c_(7 / (4 * std::numbers::pi * h * h)) {
+    SPH_CHECK(h > 0, "h = {}", h);
+  }
+
+  /// W [1/m^2] at distance r >= 0 [m].
+  double Value(double r) const {
+    const double q = r * per_h_;
+    const double rest = q < 2 ? 1 - 0.5 * q : 0;
+    return c_ * rest * rest * rest * rest * (1 + 2 * q);
+  }
+  /// W'(r)/r [1/m^4].
+  double Gradient(double r) const {
+    const double q = r * per_h_;
+    const double rest = q < 2 ? 1 - 0.5 * q : 0;
+    return -5 * c_ * per_h_ * per_h_ * rest * rest * rest;
+  }
+
+ private:
+  double per_h_;
+  double c_;
+};
+
+/// Wendland C4 in the plane [ibid.]: W = 9/(4 pi h^2) (1-q/2)^6 (35/12 q^2 + 3q + 1) for q < 2.
+class WendlandC4 {
+ public:
+  static constexpr double kSupport = 2;
+
+  explicit WendlandC4(double h) : per_h_(1 / h), c_(9 / (4 * std::numbers::pi * h * h)) {
+    SPH_CHECK(h > 0, "h = {}", h);
+  }
+
+  double Value(double r) const {
+    const double q = r * per_h_;
+    const double rest = q < 2 ? 1 - 0.5 * q : 0;
+    return c_ * std::pow(rest, 6) * (35.0 / 12 * q * q + 3 * q + 1);
+  }
+  double Gradient(double r) const {
+    const double q = r * per_h_;
+    const double rest = q < 2 ? 1 - 0.5 * q : 0;
+    return -14.0 / 3 * c_ * per_h_ * per_h_ * std::pow(rest, 5) * (1 + 2.5 * q);
+  }
+
+ private:
+  double per_h_;
+  double c_;
+};
+
 /// Poly6 in the plane [Mueller, Charypar & Gross 2003, eq. 20, with the plane's constant]: W = 4/(pi h^8) (h^2 - r^2)^3
 /// for r < h. Here h is the support radius.
 class Poly6 {
