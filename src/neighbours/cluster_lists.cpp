@@ -29,8 +29,8 @@ HWY_INLINE auto Offset(hn::ScalableTag<double> d, const double* x, double centre
 }
 
 template <typename Real>
-void Find(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<Real>& positions,
-          double support, double reach, ListBlock& block) {
+void Find(const ClusterSet& particles, const ClusterSet& images, const Positions<Real>& positions, double support,
+          double reach, ListBlock& block) {
   const hn::ScalableTag<Real> d;
   const hn::Rebind<std::uint32_t, decltype(d)> du;
   const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
@@ -42,25 +42,32 @@ void Find(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Po
   block.coarse = true;
   block.begin.assign(block.last - block.first + 1, 0);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
-    const Box& box = boxes.Of(k);
+    const Box& box = particles.boxes->Of(k);
     const Box around{box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach};
     const auto x = Positions<Real>::ToCoordinate(box.Centre().x, per_unit);
     const auto y = Positions<Real>::ToCoordinate(box.Centre().y, per_unit);
     const auto half_width = hn::Set(d, static_cast<Real>(0.5 * box.Width() * per_unit));
     const auto half_height = hn::Set(d, static_cast<Real>(0.5 * box.Height() * per_unit));
-    boxes.FindCells(around, block.hints, [&](std::size_t near) {
-      const Cluster& other = clusters[near];
+    const auto add_near = [&](const Cluster& other, std::uint32_t first) HWY_ATTR {
       if (block.numbers.size() < found + lanes + kPadding)
         block.numbers.resize(2 * std::size_t{found + lanes} + kPadding);
-      const auto dx = Beyond(d, Offset(d, positions.X() + other.first, x), half_width);
-      const auto dy = Beyond(d, Offset(d, positions.Y() + other.first, y), half_height);
+      const auto dx = Beyond(d, Offset(d, positions.X() + first, x), half_width);
+      const auto dy = Beyond(d, Offset(d, positions.Y() + first, y), half_height);
       const auto within = hn::Lt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), reach2);
       // The same lanes as a mask of the numbers, which are of 32 bits in either precision.
       HWY_ALIGN std::uint8_t bits[8] = {};
       hn::StoreMaskBits(d, hn::And(within, hn::FirstN(d, other.count)), bits);
       found += static_cast<std::uint32_t>(
-          hn::CompressStore(hn::Iota(du, other.first), hn::LoadMaskBits(du, bits), du, block.numbers.data() + found));
+          hn::CompressStore(hn::Iota(du, first), hn::LoadMaskBits(du, bits), du, block.numbers.data() + found));
+    };
+    particles.boxes->FindCells(around, block.hints, [&](std::size_t near) {
+      add_near(particles.clusters[near], particles.clusters[near].first);
     });
+    if (!images.clusters.empty()) {
+      images.boxes->FindCells(around, block.image_hints, [&](std::size_t near) {
+        add_near(images.clusters[near], images.first + images.clusters[near].first);
+      });
+    }
     block.begin[k - block.first + 1] = found;
   }
 }
@@ -70,13 +77,13 @@ void Find(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Po
 int FloatLanes() { return static_cast<int>(hn::Lanes(hn::ScalableTag<float>())); }
 int DoubleLanes() { return static_cast<int>(hn::Lanes(hn::ScalableTag<double>())); }
 
-void FindFloat(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<float>& positions,
-               double support, double reach, ListBlock& block) {
-  Find<float>(clusters, boxes, positions, support, reach, block);
+void FindFloat(const ClusterSet& particles, const ClusterSet& images, const Positions<float>& positions, double support,
+               double reach, ListBlock& block) {
+  Find<float>(particles, images, positions, support, reach, block);
 }
-void FindDouble(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<double>& positions,
+void FindDouble(const ClusterSet& particles, const ClusterSet& images, const Positions<double>& positions,
                 double support, double reach, ListBlock& block) {
-  Find<double>(clusters, boxes, positions, support, reach, block);
+  Find<double>(particles, images, positions, support, reach, block);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -101,14 +108,14 @@ int Lanes<double>() {
 }
 
 template <>
-void FindNeighbours<float>(std::span<const Cluster> clusters, const ClusterBoxes& boxes,
-                           const Positions<float>& positions, double support, double reach, ListBlock& block) {
-  HWY_DYNAMIC_DISPATCH(FindFloat)(clusters, boxes, positions, support, reach, block);
+void FindNeighbours<float>(const ClusterSet& particles, const ClusterSet& images, const Positions<float>& positions,
+                           double support, double reach, ListBlock& block) {
+  HWY_DYNAMIC_DISPATCH(FindFloat)(particles, images, positions, support, reach, block);
 }
 template <>
-void FindNeighbours<double>(std::span<const Cluster> clusters, const ClusterBoxes& boxes,
-                            const Positions<double>& positions, double support, double reach, ListBlock& block) {
-  HWY_DYNAMIC_DISPATCH(FindDouble)(clusters, boxes, positions, support, reach, block);
+void FindNeighbours<double>(const ClusterSet& particles, const ClusterSet& images, const Positions<double>& positions,
+                            double support, double reach, ListBlock& block) {
+  HWY_DYNAMIC_DISPATCH(FindDouble)(particles, images, positions, support, reach, block);
 }
 
 }  // namespace sph

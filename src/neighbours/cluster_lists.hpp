@@ -20,6 +20,7 @@ struct ListBlock {
   std::vector<std::uint32_t> begin;    // [clusters + 1]
   std::vector<std::uint32_t> numbers;  // room for kPadding more than are valid
   std::vector<std::uint32_t> hints;    // of ClusterBoxes::FindCells
+  std::vector<std::uint32_t> image_hints;
 
   std::span<const std::uint32_t> Of(std::uint32_t cluster) const {
     return {numbers.data() + begin[cluster - first], numbers.data() + begin[cluster - first + 1]};
@@ -32,11 +33,18 @@ inline constexpr std::uint32_t kClustersPerBlock = 64;
 template <typename Real>
 int Lanes();
 
+/// Clusters and their boxes, of particles whose numbers begin at `first`.
+struct ClusterSet {
+  std::span<const Cluster> clusters;
+  const ClusterBoxes* boxes = nullptr;
+  std::uint32_t first = 0;
+};
+
 /// Overwrites the block's lists: every particle whose distance from the cluster's box is below `reach` [m], those of
-/// the cluster included, and perhaps a few at that distance to round-off. Ascending within a column of clusters.
-/// Allocates only while lists grow.
+/// the cluster included, and perhaps a few at that distance to round-off, and then every image of one. Ascending within
+/// a column of clusters. Allocates only while lists grow.
 template <typename Real>
-void FindNeighbours(std::span<const Cluster> clusters, const ClusterBoxes& boxes, const Positions<Real>& positions,
+void FindNeighbours(const ClusterSet& particles, const ClusterSet& images, const Positions<Real>& positions,
                     double support, double reach, ListBlock& block);
 
 }  // namespace sph

@@ -33,6 +33,7 @@ SearchTask NeighbourSearch::NextTask(double travelled, double support) {
 
 void NeighbourSearch::Sort(std::span<const double> x, std::span<const double> y, double spacing, int lanes) {
   lanes_ = lanes;
+  spacing_ = spacing;
   order_.Sort(x, y, spacing, support_, lanes);
 }
 
@@ -42,9 +43,11 @@ void NeighbourSearch::Cut(std::span<const double> x, std::span<const double> y) 
   ++sorts_;
 }
 
-void NeighbourSearch::Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step) {
+void NeighbourSearch::Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step,
+                              double least_skin) {
   boxes_.Update(order_, x, y);
-  skin_ = keep_lists_ ? BestSkin(support_, travel_per_step) : 0;
+  skin_ = std::max(least_skin, keep_lists_ ? BestSkin(support_, travel_per_step) : 0);
+  if (periods_.Any()) FindImages(x, y);
   travelled_when_made_ = travelled_;
   const auto clusters = static_cast<std::uint32_t>(order_.Clusters().size());
   blocks_.resize((clusters + kClustersPerBlock - 1) / kClustersPerBlock);
@@ -52,7 +55,26 @@ void NeighbourSearch::Prepare(std::span<const double> x, std::span<const double>
     blocks_[b].first = b * kClustersPerBlock;
     blocks_[b].last = std::min(clusters, (b + 1) * kClustersPerBlock);
     if (just_sorted_) blocks_[b].hints.clear();
+    blocks_[b].image_hints.clear();
   }
+}
+
+void NeighbourSearch::FindImages(std::span<const double> x, std::span<const double> y) {
+  images_.Find(periods_, Reach(), x, y);
+  const auto place = [&] {
+    image_x_.resize(images_.Size());
+    image_y_.resize(images_.Size());
+    for (std::size_t k = 0; k < images_.Size(); ++k) {
+      image_x_[k] = x[images_.Sources()[k]] + images_.ShiftX()[k];
+      image_y_[k] = y[images_.Sources()[k]] + images_.ShiftY()[k];
+    }
+  };
+  place();
+  image_order_.Sort(image_x_, image_y_, spacing_, support_, lanes_);
+  images_.Reorder(image_order_.Order());
+  place();
+  image_order_.Cut(image_x_, image_y_, support_, lanes_);
+  image_boxes_.Update(image_order_, image_x_, image_y_);
 }
 
 void NeighbourSearch::Finish() {
@@ -66,7 +88,8 @@ void NeighbourSearch::Finish() {
 }
 
 std::size_t NeighbourSearch::Bytes() const {
-  std::size_t bytes = order_.Bytes() + boxes_.Bytes();
+  std::size_t bytes = order_.Bytes() + boxes_.Bytes() + images_.Bytes() + image_order_.Bytes() + image_boxes_.Bytes() +
+                      sizeof(double) * (image_x_.capacity() + image_y_.capacity());
   for (const ListBlock& block : blocks_) {
     bytes += sizeof(std::uint32_t) * (block.begin.capacity() + block.numbers.capacity() + block.hints.capacity());
   }

@@ -8,6 +8,7 @@
 #include "neighbours/cluster_boxes.hpp"
 #include "neighbours/cluster_lists.hpp"
 #include "neighbours/cluster_order.hpp"
+#include "neighbours/images.hpp"
 
 namespace sph {
 
@@ -26,6 +27,10 @@ class NeighbourSearch {
   /// Whether lists are kept for several steps, which is the default; else they are made anew at every one.
   void KeepLists(bool keep) { keep_lists_ = keep; }
 
+  /// What repeats; nothing unless told. Images are found with the lists.
+  void SetPeriods(const Periods& periods) { periods_ = periods; }
+  const Images& PeriodicImages() const { return images_; }
+
   /// @param travelled  how far a particle may have gone since the start [m]
   /// @param support    reach of the kernel [m]
   SearchTask NextTask(double travelled, double support);
@@ -40,12 +45,18 @@ class NeighbourSearch {
   /// Boxes, skin and empty blocks for the lists; then FindNeighbours is to be called for every block with Reach(), and
   /// Finish.
   /// @param travel_per_step  how far the fastest particle goes in a step [m]
-  void Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step);
+  /// @param least_skin  the lists shall reach at least this far beyond the support [m]
+  void Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step, double least_skin = 0);
   double Reach() const { return support_ + skin_; }
   void Finish();
 
   std::span<const Cluster> Clusters() const { return order_.Clusters(); }
   const ClusterBoxes& Boxes() const { return boxes_; }
+  ClusterSet Particles() const { return {order_.Clusters(), &boxes_, 0}; }
+  /// Numbered after the `particles` particles.
+  ClusterSet ImagesAfter(std::size_t particles) const {
+    return {image_order_.Clusters(), &image_boxes_, static_cast<std::uint32_t>(particles)};
+  }
   std::vector<ListBlock>& Blocks() { return blocks_; }
   std::span<const ListBlock> Blocks() const { return blocks_; }
   double Skin() const { return skin_; }  ///< [m]
@@ -54,13 +65,21 @@ class NeighbourSearch {
   std::size_t Bytes() const;
 
  private:
+  void FindImages(std::span<const double> x, std::span<const double> y);
+
   ClusterOrder order_;
   ClusterBoxes boxes_;
+  Periods periods_;
+  Images images_;
+  std::vector<double> image_x_, image_y_;
+  ClusterOrder image_order_;
+  ClusterBoxes image_boxes_;
   std::vector<ListBlock> blocks_;
   bool sorted_ = false;
   bool just_sorted_ = false;
   bool keep_lists_ = true;
   int lanes_ = 0;
+  double spacing_ = 0;  // as told for the last sort [m]
   double support_ = 0;
   double skin_ = 0;
   double travelled_ = 0;  // as told last, and when the lists were made [m]

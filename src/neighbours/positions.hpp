@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "neighbours/images.hpp"
+
 namespace sph {
 
 /// Vector loads may go beyond the last particle by less than this many.
@@ -52,6 +54,16 @@ class Positions {
     for (std::size_t i = first; i < last; ++i) {
       x_[i] = ToCoordinate(x[i], per_unit);
       y_[i] = ToCoordinate(y[i], per_unit);
+    }
+  }
+
+  /// Takes the positions of the images of these particles, behind the last of them.
+  void SetImages(std::span<const double> x, std::span<const double> y, double support, const Images& images) {
+    const double per_unit = 1 / Unit(support);
+    const std::size_t n = x.size();
+    for (std::size_t k = 0; k < images.Size(); ++k) {
+      x_[n + k] = ToCoordinate(x[images.Sources()[k]] + images.ShiftX()[k], per_unit);
+      y_[n + k] = ToCoordinate(y[images.Sources()[k]] + images.ShiftY()[k], per_unit);
     }
   }
 

@@ -50,6 +50,22 @@ void CheckRegion(const Scene& scene, const std::string& source) {
   }
 }
 
+void CheckPeriods(const Scene& scene, const std::string& source) {
+  const Periods& periods = scene.sph.periods;
+  if (!periods.Any() && periods.box == Box{}) return;
+  if (!periods.Any() || periods.box == Box{}) {
+    throw UsageError("{}: periodic takes both box = [x0, y0, x1, y1] and directions = \"x\", \"y\" or \"both\"",
+                     source);
+  }
+  // Lists reach at most a third beyond the support, which no kernel has greater than 3 h.
+  const double least = 8 * scene.sph.smoothing_length;
+  if ((periods.in_x && periods.box.Width() < least) || (periods.in_y && periods.box.Height() < least)) {
+    throw UsageError(
+        "{}: periodic.box = [{}, {}, {}, {}] is too small: with method.smoothing_length = {} m it takes {} m or more",
+        source, periods.box.x0, periods.box.y0, periods.box.x1, periods.box.y1, scene.sph.smoothing_length, least);
+  }
+}
+
 void CheckControls(const Scene& scene, const std::string& source) {
   std::vector<Wall> walls = scene.base.walls;
   const auto check_wall = [&](const std::string& name, const std::string& user) {
@@ -84,6 +100,7 @@ void CheckWhole(const Scene& scene, const std::string& source) {
   if (scene.reference == Reference::kStaticStar && !scene.star) {
     throw UsageError("{}: reference = 'static-star' needs forces.star", source);
   }
+  CheckPeriods(scene, source);
   CheckControls(scene, source);
 }
 

@@ -17,6 +17,7 @@ const std::vector<std::string> kWallScalings = {"derived", "published"};
 const std::vector<std::string> kReferences = {"none", "static-star"};
 const std::vector<std::string> kSteps = {"fixed", "adaptive"};
 const std::vector<std::string> kPrecisions = {"float", "double"};
+const std::vector<std::string> kDirections = {"x", "y", "both"};
 const std::vector<std::string> kForms = {"right", "published"};
 const std::vector<std::string> kFluidSides = {"left", "right", "below", "above"};
 
@@ -126,6 +127,15 @@ std::span<const SceneKey> AllSceneKeys() {
        Choice(kIntegrations, [](S& s) -> Integration& { return s.base.integration; })},
       {"method.form", "solver mueller: right in the plane, or as first published", kStart, false,
        [](S& s, const V& v) { s.sph.mueller_published = v.AsChoice(kForms) == 1; }},
+
+      {"periodic.box", "[x0, y0, x1, y1] of what repeats [m]", kStart, false,
+       [](S& s, const V& v) { s.sph.periods.box = v.AsBox(); }},
+      {"periodic.directions", "in which it does", kStart, false,
+       [](S& s, const V& v) {
+         const std::size_t choice = v.AsChoice(kDirections);
+         s.sph.periods.in_x = choice != 1;
+         s.sph.periods.in_y = choice != 0;
+       }},
 
       {"equation_of_state.polytrope.k", "P = k rho^2 [Pa m^4/kg^2]", kAny, false,
        Number(positive, [](S& s) -> double& { return As<Polytrope>(s).k; })},

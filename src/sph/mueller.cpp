@@ -36,6 +36,14 @@ void Mueller::PrepareInteraction(std::size_t first, std::size_t last) {
       fluid_, parameters_sph.equation_of_state);
 }
 
+void Mueller::PrepareImages() {
+  std::visit(
+      [&](auto& arrays) {
+        for (auto* values : {&arrays.volume, &arrays.pressure, &arrays.vx, &arrays.vy}) CopyToImages(*values);
+      },
+      arrays_);
+}
+
 void Mueller::AddSpatialInteraction(const ListBlock& block) {
   Particles& p = particles_;
   std::visit(

@@ -28,6 +28,7 @@ class Mueller final : public ParticleSystemSPH {
   void ResizeArrays(std::size_t n) override;
   void ComputeDensities(ListBlock& block) override;
   void PrepareInteraction(std::size_t first, std::size_t last) override;
+  void PrepareImages() override;
   void AddSpatialInteraction(const ListBlock& block) override;
 
  private:

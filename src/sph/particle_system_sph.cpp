@@ -33,24 +33,48 @@ void ParticleSystemSPH::ComputeAccelerations() {
 void ParticleSystemSPH::PrepareGrid() {
   const PhaseTimer timer(phases_, "grid");
   Particles& p = particles_;
+  const SearchTask task = neighbours_.NextTask(Travelled(), Support());
   std::visit(
       [&]<typename Real>(FluidArrays<Real>& fluid) {
-        const SearchTask task = neighbours_.NextTask(Travelled(), Support());
         if (task == SearchTask::kSort) {
+          WrapPositions();
+          neighbours_.SetPeriods(parameters_sph.periods);
           neighbours_.Sort(p.x, p.y, InitialSpacing(), Lanes<Real>());
           Reorder(neighbours_.Order());
           neighbours_.Cut(p.x, p.y);
           const bool equal = std::adjacent_find(p.mass.begin(), p.mass.end(), std::not_equal_to<>()) == p.mass.end();
           equal ? fluid.mass.clear() : Convert<Real>(p.mass, fluid.mass);
-          ResizeArrays(p.Size());
         }
-        ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {
-          fluid.positions.Set(p.x, p.y, Support(), first, last);
-        });
+        if (task != SearchTask::kNothing) {
+          neighbours_.Prepare(p.x, p.y, LastTravel(), LeastSkin());
+          ResizeArrays(p.Size() + neighbours_.PeriodicImages().Size());
+          if (!fluid.mass.empty()) CopyToImages(fluid.mass);
+        }
+        SetPositions(p.x, p.y);
         if (task == SearchTask::kNothing) return;
-        neighbours_.Prepare(p.x, p.y, LastTravel());
         ForEachBlock([&](ListBlock& block) { FindCells(block); });
         neighbours_.Finish();
+      },
+      fluid_);
+}
+
+void ParticleSystemSPH::WrapPositions() {
+  if (!parameters_sph.periods.Any()) return;
+  Particles& p = particles_;
+  for (std::size_t i = 0; i < p.Size(); ++i) {
+    const Vec2 wrapped = parameters_sph.periods.Wrap(p.Position(i));
+    p.x[i] = wrapped.x;
+    p.y[i] = wrapped.y;
+  }
+}
+
+void ParticleSystemSPH::SetPositions(std::span<const double> x, std::span<const double> y) {
+  std::visit(
+      [&](auto& fluid) {
+        ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {
+          fluid.positions.Set(x, y, Support(), first, last);
+        });
+        fluid.positions.SetImages(x, y, Support(), neighbours_.PeriodicImages());
       },
       fluid_);
 }
@@ -58,8 +82,8 @@ void ParticleSystemSPH::PrepareGrid() {
 void ParticleSystemSPH::FindCells(ListBlock& block) {
   std::visit(
       [&]<typename Real>(const FluidArrays<Real>& fluid) {
-        FindNeighbours<Real>(neighbours_.Clusters(), neighbours_.Boxes(), fluid.positions, Support(),
-                             neighbours_.Reach(), block);
+        FindNeighbours<Real>(neighbours_.Particles(), neighbours_.ImagesAfter(particles_.Size()), fluid.positions,
+                             Support(), neighbours_.Reach(), block);
       },
       fluid_);
 }
@@ -70,6 +94,7 @@ void ParticleSystemSPH::ResizeArrays(std::size_t n) {
         fluid.positions.Resize(n);
         fluid.density.resize(n + kPadding);
         fluid.pressure_term.resize(n + kPadding);
+        if (!fluid.mass.empty()) fluid.mass.resize(n + kPadding);
       },
       fluid_);
 }
@@ -97,6 +122,11 @@ void ParticleSystemSPH::ComputePressures() {
     const auto [first, last] = ParticlesOf(block);
     PrepareInteraction(first, last);
   });
+  if (neighbours_.PeriodicImages().Size() > 0) PrepareImages();
+}
+
+void ParticleSystemSPH::PrepareImages() {
+  std::visit([&](auto& fluid) { CopyToImages(fluid.pressure_term); }, fluid_);
 }
 
 void ParticleSystemSPH::AddSpatialInteraction(const ListBlock& block) {

@@ -22,6 +22,7 @@ struct ParametersSPH {
   double viscosity = 0;            ///< mu [Pa s]; solver mueller only
   bool mueller_published = false;  ///< solver mueller: with the mistakes of its published program
   Precision precision = Precision::kDouble;
+  Periods periods;  ///< periodic boundaries
 };
 
 class ParticleSystemSPH : public ParticleSystem {
@@ -67,8 +68,15 @@ class ParticleSystemSPH : public ParticleSystem {
   /// Finds the clusters around each of the block's, and of their particles those within reach: the neighbour store's
   /// lists.
   void FindCells(ListBlock& block);
-  /// Makes room in the arrays of the passes for n particles and the padding.
+  /// How far beyond the support the lists shall reach at least [m].
+  virtual double LeastSkin() const { return 0; }
+  /// Makes room in the arrays of the passes for n particles, images included, and the padding.
   virtual void ResizeArrays(std::size_t n);
+  /// Positions [m] that the passes shall see, those of the images follow from them.
+  void SetPositions(std::span<const double> x, std::span<const double> y);
+  /// Values of the images, behind those of the particles.
+  template <typename Real>
+  void CopyToImages(std::vector<Real>& values) const;
   /// Density of the block's particles.
   virtual void ComputeDensities(ListBlock& block);
   /// What else a derived solver reads in its interaction, of the particles first ... last - 1, once their density is
@@ -77,6 +85,8 @@ class ParticleSystemSPH : public ParticleSystem {
   /// Calls work(block) for every block of lists, on all threads.
   template <typename Work>
   void ForEachBlock(Work work);
+  /// Completes what neighbours read once PrepareInteraction is done for all: the images' values.
+  virtual void PrepareImages();
   /// The particles of a block: first ... last - 1.
   std::pair<std::size_t, std::size_t> ParticlesOf(const ListBlock& block) const;
   template <typename Real>
@@ -87,6 +97,7 @@ class ParticleSystemSPH : public ParticleSystem {
 
  private:
   double FastestSound() const;  // [m/s]
+  void WrapPositions();
 
   ParametersSPH initial_parameters_sph_;
 };
@@ -97,6 +108,12 @@ void ParticleSystemSPH::ForEachBlock(Work work) {
   std::vector<ListBlock>& blocks = neighbours_.Blocks();
 #pragma omp parallel for schedule(dynamic) num_threads(ThreadCount()) if (blocks.size() > kBlocksOfOneThread)
   for (std::size_t b = 0; b < blocks.size(); ++b) work(blocks[b]);
+}
+
+template <typename Real>
+void ParticleSystemSPH::CopyToImages(std::vector<Real>& values) const {
+  const auto sources = neighbours_.PeriodicImages().Sources();
+  for (std::size_t k = 0; k < sources.size(); ++k) values[particles_.Size() + k] = values[sources[k]];
 }
 
 template <typename Real>

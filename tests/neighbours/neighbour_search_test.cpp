@@ -31,7 +31,7 @@ struct Found {
     positions.Set(x, y, kSupport, 0, x.size());
     search.Prepare(x, y, travel_per_step);
     for (ListBlock& block : search.Blocks()) {
-      FindNeighbours<Real>(search.Clusters(), search.Boxes(), positions, kSupport, search.Reach(), block);
+      FindNeighbours<Real>(search.Particles(), {}, positions, kSupport, search.Reach(), block);
     }
     search.Finish();
   }
