@@ -181,6 +181,7 @@ void ParticleSystem::Integrate() {
     if (!finite || last_travel_ > LongestMove()) ReportTrouble();
   }
   ReflectFromWalls();
+  AfterStep();
 }
 
 /// One leapfrog step of the particles first ... last - 1.

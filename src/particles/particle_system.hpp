@@ -113,10 +113,19 @@ class ParticleSystem {
   /// The sum of that over all steps: no particle went further since the start [m].
   double Travelled() const { return travelled_; }
   /// Puts the particles in another order, see Particles::Reorder.
-  void Reorder(std::span<const std::uint32_t> order) {
+  virtual void Reorder(std::span<const std::uint32_t> order) {
     particles_.Reorder(order);
     notes_.clear();  // of the old order
   }
+  /// Called when a step has moved the particles.
+  virtual void AfterStep() {}
+  /// To be told when particles are moved by other means than their velocities: how far the one that went furthest [m].
+  void AddTravel(double distance) {
+    last_travel_ += distance;
+    travelled_ += distance;
+  }
+  /// Length of the last step [s]; before the first one, of that.
+  double LastStep() const { return previous_step_; }
   /// Called when particles were added, removed or moved by other means than a step.
   virtual void ForgetNeighbours() {}
 

@@ -21,9 +21,11 @@ struct Region {
 };
 
 enum class Arrangement {
-  kRandom,    ///< independent, uniform over the region (the paper's starts)
-  kLattice,   ///< square lattice, rows from the bottom up
-  kJittered,  ///< the lattice, each particle moved to the right by up to `jitter` (the tutorial's dam)
+  kRandom,     ///< independent, uniform over the region (the paper's starts)
+  kLattice,    ///< square lattice, rows from the bottom up
+  kJittered,   ///< the lattice, each particle moved to the right by up to `jitter` (the tutorial's dam)
+  kPerturbed,  ///< the lattice, each particle moved by up to `jitter` in both directions, either way
+  kHexagonal,  ///< hexagonal lattice, as many particles per area
 };
 
 /// A block of fluid to be placed.

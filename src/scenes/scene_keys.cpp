@@ -10,13 +10,16 @@ namespace sph {
 namespace {
 
 constexpr std::int64_t kMostParticles = 100'000'000;
-const std::vector<std::string> kArrangements = {"random", "lattice", "jittered"};
+const std::vector<std::string> kArrangements = {"random", "lattice", "jittered", "perturbed", "hexagonal"};
 const std::vector<std::string> kIntegrations = {"leapfrog", "leapfrog-published", "symplectic-euler"};
 const std::vector<std::string> kWallKinds = {"penalty", "reflect"};
 const std::vector<std::string> kWallScalings = {"derived", "published"};
 const std::vector<std::string> kReferences = {"none", "static-star"};
 const std::vector<std::string> kSteps = {"fixed", "adaptive"};
 const std::vector<std::string> kPrecisions = {"float", "double"};
+const std::vector<std::string> kKernels = {"wendland-c2", "wendland-c4"};
+const std::vector<std::string> kMasses = {"equal", "graded"};
+const std::vector<std::string> kSwitch = {"off", "on"};
 const std::vector<std::string> kDirections = {"x", "y", "both"};
 const std::vector<std::string> kForms = {"right", "published"};
 const std::vector<std::string> kFluidSides = {"left", "right", "below", "above"};
@@ -52,6 +55,12 @@ StarForce& Star(Scene& scene) {
 std::vector<std::string> SolverNames() {
   std::vector<std::string> names;
   for (const Solver& solver : AllSolvers()) names.push_back(solver.name);
+  return names;
+}
+
+std::vector<std::string> FlowNames() {
+  std::vector<std::string> names;
+  for (const InitialFlow& flow : AllInitialFlows()) names.push_back(flow.name);
   return names;
 }
 
@@ -99,8 +108,14 @@ std::span<const SceneKey> AllSceneKeys() {
        Choice(kArrangements, [](S& s) -> Arrangement& { return s.base.fluid.arrange; })},
       {"fluid.spacing", "of a lattice [m]; default: from region and particles", kStart, false,
        Number(positive, [](S& s) -> double& { return s.base.fluid.spacing; })},
-      {"fluid.jitter", "largest shift to the right of a jittered start [m]", kStart, false,
+      {"fluid.jitter", "largest shift of a jittered (to the right) or perturbed (any way) start [m]", kStart, false,
        Number(not_negative, [](S& s) -> double& { return s.base.fluid.jitter; })},
+      {"fluid.flow", "exact solution to start with", kStart, false,
+       [](S& s, const V& v) { s.sph.flow = &AllInitialFlows()[v.AsChoice(FlowNames())]; }},
+      {"fluid.flow_speed", "U of that flow [m/s]", kStart, false,
+       Number(positive, [](S& s) -> double& { return s.sph.flow_speed; })},
+      {"fluid.masses", "of a gas: equal, or in proportion to the flow's density", kStart, false,
+       [](S& s, const V& v) { s.sph.graded_masses = v.AsChoice(kMasses) == 1; }},
       {"fluid.velocity", "[vx, vy] at the start [m/s]", kStart, false,
        [](S& s, const V& v) { s.base.fluid.velocity = v.AsVec2(); }},
       {"fluid.limit", "most particles that dropped blocks may lead to", kAny, false,
@@ -125,6 +140,16 @@ std::span<const SceneKey> AllSceneKeys() {
        Number(positive, [](S& s) -> double& { return s.base.time_step; })},
       {"method.integration", "how velocities and positions advance", kStart, false,
        Choice(kIntegrations, [](S& s) -> Integration& { return s.base.integration; })},
+      {"method.kernel", "solver delta", kStart, false,
+       Choice(kKernels, [](S& s) -> WendlandKernel& { return s.sph.delta.kernel; })},
+      {"method.diffusion", "delta of density diffusion; solver delta, liquids", kAny, false,
+       Number({0, 1}, [](S& s) -> double& { return s.sph.delta.diffusion; })},
+      {"method.artificial_viscosity", "alpha; solver delta, liquids", kAny, false,
+       Number({0, 1}, [](S& s) -> double& { return s.sph.delta.artificial_viscosity; })},
+      {"method.shifting", "of particles towards where they lack; solver delta, liquids", kStart, false,
+       [](S& s, const V& v) { s.sph.delta.shifting = v.AsChoice(kSwitch) == 1; }},
+      {"method.sharp_gradient", "of pressure, to fourth order; solver delta, liquids without a surface", kStart, false,
+       [](S& s, const V& v) { s.sph.delta.sharp_gradient = v.AsChoice(kSwitch) == 1; }},
       {"method.form", "solver mueller: right in the plane, or as first published", kStart, false,
        [](S& s, const V& v) { s.sph.mueller_published = v.AsChoice(kForms) == 1; }},
 
@@ -159,7 +184,7 @@ std::span<const SceneKey> AllSceneKeys() {
        Number(positive, [](S& s) -> double& { return Star(s).radius; })},
       {"forces.damping", "motion damping nu [1/s]", kAny, false,
        Number(not_negative, [](S& s) -> double& { return s.base.motion_damping; })},
-      {"forces.viscosity", "mu [Pa s]; solver mueller", kAny, false,
+      {"forces.viscosity", "mu [Pa s]; solvers mueller and delta", kAny, false,
        Number(not_negative, [](S& s) -> double& { return s.sph.viscosity; })},
 
       {"walls.kind", "what happens to a particle inside a wall", kStart, false,

@@ -108,36 +108,62 @@ HWY_INLINE void AddLanes(hn::ScalableTag<float> d, hn::Vec<hn::ScalableTag<float
   for (std::uint32_t k = 0; k < cluster.count; ++k) to[cluster.first + k] += static_cast<double>(lanes[k]);
 }
 
+/// Makes a block's lists shorter while a pass walks through them: keeps what is within reach of one of the lanes.
+template <typename Real>
+class Refinement {
+ public:
+  using D = hn::ScalableTag<Real>;
+  using V = hn::Vec<D>;
+
+  Refinement(const PassInput<Real>& input, const Pairs<Real>& pairs, ListBlock& block)
+      : block_(block), numbers_(block.numbers.data()) {
+    // A little further than the lists' reach, against round-off.
+    const Real reach = pairs.Support() * static_cast<Real>(input.reach / input.support * (1 + 1e-6));
+    reach2_ = reach * reach;
+  }
+
+  /// The list of cluster k as it was; to be called for one cluster after the other.
+  std::span<const std::uint32_t> Of(std::uint32_t k) {
+    const std::uint32_t begin = end_;
+    end_ = block_.begin[k - block_.first + 1];
+    return {numbers_ + begin, numbers_ + end_};
+  }
+  HWY_INLINE void Look(std::uint32_t j, V r2) {
+    const D d;
+    numbers_[kept_] = j;
+    kept_ += hn::AllFalse(d, hn::Lt(r2, hn::Set(d, reach2_))) ? 0 : 1;
+  }
+  /// After cluster k's list.
+  void Close(std::uint32_t k) { block_.begin[k - block_.first + 1] = kept_; }
+
+ private:
+  ListBlock& block_;
+  std::uint32_t* numbers_;
+  Real reach2_ = 0;
+  std::uint32_t end_ = 0;
+  std::uint32_t kept_ = 0;
+};
+
 template <typename Real, template <class> class Kernel, bool kEqualMasses, bool kRefine>
 void Density(const PassInput<Real>& input, ListBlock& block, double constant, Real* density) {
   const hn::ScalableTag<Real> d;
   const Pairs<Real> pairs(input);
   const Kernel<decltype(d)> kernel(d, pairs.Support());
   const auto factor = hn::Set(d, static_cast<Real>(constant));
-  // A little further than the lists' reach, against round-off.
-  const Real reach = pairs.Support() * static_cast<Real>(input.reach / input.support * (1 + 1e-6));
-  const auto reach2 = hn::Set(d, reach * reach);
-  std::uint32_t* const numbers = block.numbers.data();
-  std::uint32_t begin = 0;
-  std::uint32_t kept = 0;
+  Refinement<Real> refinement(input, pairs, block);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     auto sum = hn::Zero(d);
-    std::uint32_t& end = block.begin[k - block.first + 1];
-    pairs.ForEach(input.clusters[k], {numbers + begin, numbers + end},
-                  [&]([[maybe_unused]] std::uint32_t j, auto, auto, auto r2) HWY_ATTR {
-                    if constexpr (kRefine) {
-                      numbers[kept] = j;
-                      kept += hn::AllFalse(d, hn::Lt(r2, reach2)) ? 0 : 1;
-                    }
-                    if constexpr (kEqualMasses) {
-                      sum = kernel.AddValue(r2, sum);
-                    } else {
-                      sum = hn::MulAdd(hn::Set(d, input.mass[j]), kernel.AddValue(r2, hn::Zero(d)), sum);
-                    }
-                  });
+    const auto list = kRefine ? refinement.Of(k) : block.Of(k);
+    pairs.ForEach(input.clusters[k], list, [&]([[maybe_unused]] std::uint32_t j, auto, auto, auto r2) HWY_ATTR {
+      if constexpr (kRefine) refinement.Look(j, r2);
+      if constexpr (kEqualMasses) {
+        sum = kernel.AddValue(r2, sum);
+      } else {
+        sum = hn::MulAdd(hn::Set(d, input.mass[j]), kernel.AddValue(r2, hn::Zero(d)), sum);
+      }
+    });
     StoreCluster(d, hn::Mul(sum, factor), input.clusters[k], density);
-    begin = end;
-    if constexpr (kRefine) end = kept;
+    if constexpr (kRefine) refinement.Close(k);
   }
   if constexpr (kRefine) block.coarse = false;
 }

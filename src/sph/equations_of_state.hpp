@@ -14,6 +14,8 @@ struct Polytrope {
   Real Pressure(Real rho) const {
     return static_cast<Real>(k) * rho * rho;
   }
+  /// rho [kg/m^3] at a pressure [Pa] >= 0.
+  double Density(double pressure) const { return std::sqrt(pressure / k); }
   /// c [m/s], c^2 = dP/drho.
   double SoundSpeed(double rho) const { return std::sqrt(2 * k * rho); }
   /// u [J/kg], du/drho = P/rho^2.
@@ -30,6 +32,7 @@ struct Tait {
   Real Pressure(Real rho) const {
     return static_cast<Real>(k) * (Power(rho / static_cast<Real>(rho0)) - 1);
   }
+  double Density(double pressure) const { return rho0 * std::pow(1 + pressure / k, 1 / exponent); }
   double SoundSpeed(double rho) const { return std::sqrt(exponent * k / rho * Power(rho / rho0)); }
   /// u is 0 at rho0.
   double InternalEnergy(double rho) const {
@@ -54,11 +57,19 @@ struct IdealGas {
   Real Pressure(Real rho) const {
     return static_cast<Real>(k) * (rho - static_cast<Real>(rho0));
   }
+  double Density(double pressure) const { return rho0 + pressure / k; }
   double SoundSpeed(double) const { return std::sqrt(k); }
   /// u is 0 at rho0.
   double InternalEnergy(double rho) const { return k * (std::log(rho / rho0) + rho0 / rho - 1); }
 };
 
 using EquationOfState = std::variant<Polytrope, Tait, IdealGas>;
+
+/// rho0 [kg/m^3] of a liquid; 0 for a gas.
+inline double ReferenceDensity(const EquationOfState& equation) {
+  if (const auto* tait = std::get_if<Tait>(&equation)) return tait->rho0;
+  if (const auto* gas = std::get_if<IdealGas>(&equation)) return gas->rho0;
+  return 0;
+}
 
 }  // namespace sph

@@ -133,6 +133,9 @@ class WendlandC2Lanes {
   using V = hn::Vec<D>;
   using T = hn::TFromD<D>;
 
+  // -W'/r (kFlat - kFall s^2) has no fourth moment and the second of -W'/r: a Laplacian of fourth order.
+  static constexpr double kFlat = 3.669902912621359;
+  static constexpr double kFall = 9.611650485436893;
   static double ValueFactor(double support, double) { return 7 / (std::numbers::pi * support * support); }
   static double SlopeFactor(double support, double unit) {
     return 20 * ValueFactor(support, unit) * unit / (support * support);
@@ -168,6 +171,8 @@ class WendlandC4Lanes {
   using V = hn::Vec<D>;
   using T = hn::TFromD<D>;
 
+  static constexpr double kFlat = 3.507874015748029;
+  static constexpr double kFall = 11.82283464566928;
   static double ValueFactor(double support, double) { return 3 / (std::numbers::pi * support * support); }
   static double SlopeFactor(double support, double unit) {
     return 56 * ValueFactor(support, unit) * unit / (support * support);

@@ -16,6 +16,30 @@ void ParticleSystemSPH::RestoreParameters() {
   parameters_sph = initial_parameters_sph_;
 }
 
+void ParticleSystemSPH::InitialPositions() {
+  ParticleSystem::InitialPositions();
+  if (parameters_sph.flow == nullptr) return;
+  Particles& p = particles_;
+  for (std::size_t i = 0; i < p.Size(); ++i) {
+    const Vec2 velocity = parameters.fluid.velocity + FlowAt(p.Position(i)).velocity;
+    p.vx[i] = p.vx_prev[i] = velocity.x;
+    p.vy[i] = p.vy_prev[i] = velocity.y;
+  }
+  if (!parameters_sph.graded_masses) return;
+  double sum = 0;  // [kg/m^3]
+  for (std::size_t i = 0; i < p.Size(); ++i) sum += FlowAt(p.Position(i)).density;
+  const double total = parameters.particle_mass * static_cast<double>(p.Size());
+  for (std::size_t i = 0; i < p.Size(); ++i) p.mass[i] = total * FlowAt(p.Position(i)).density / sum;
+}
+
+FlowAtPoint ParticleSystemSPH::FlowAt(Vec2 point) const {
+  if (parameters_sph.flow == nullptr) return {};
+  return parameters_sph.flow->at(
+      point,
+      {parameters.fluid.region.Bounds(), parameters_sph.flow_speed, ReferenceDensity(parameters_sph.equation_of_state),
+       parameters.particle_mass * static_cast<double>(parameters.fluid.particles), parameters.gravity});
+}
+
 void ParticleSystemSPH::ForgetNeighbours() { neighbours_.Invalidate(); }
 
 void ParticleSystemSPH::ComputeAccelerations() {

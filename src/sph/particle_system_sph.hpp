@@ -6,14 +6,27 @@
 #include "neighbours/neighbour_search.hpp"
 #include "particles/particle_system.hpp"
 #include "sph/cluster_passes.hpp"
+#include "sph/delta_passes.hpp"
 #include "sph/equations_of_state.hpp"
 #include "sph/fluid_arrays.hpp"
+#include "sph/initial_flow.hpp"
 #include "sph/kernels.hpp"
 
 namespace sph {
 
 /// Of the passes over neighbours; positions and velocities are always kept in double.
 enum class Precision { kFloat, kDouble };
+
+/// Of solver delta.
+struct DeltaParameters {
+  WendlandKernel kernel = WendlandKernel::kC2;
+  double diffusion = 0.1;           ///< delta, of density in a liquid
+  double artificial_viscosity = 0;  ///< alpha, in a liquid
+  bool shifting = true;             ///< of the particles of a liquid
+  /// Of pressure in a liquid, to fourth order where particles fill the support. It is not the divergence's adjoint, so
+  /// that at a free surface energy is not kept.
+  bool sharp_gradient = false;
+};
 
 /// The paper's ParametersSPH[N_SPH_PARAMS], by name.
 struct ParametersSPH {
@@ -22,7 +35,11 @@ struct ParametersSPH {
   double viscosity = 0;            ///< mu [Pa s]; solver mueller only
   bool mueller_published = false;  ///< solver mueller: with the mistakes of its published program
   Precision precision = Precision::kDouble;
-  Periods periods;  ///< periodic boundaries
+  DeltaParameters delta;
+  const InitialFlow* flow = nullptr;  ///< null: at rest
+  double flow_speed = 1;              ///< U of that flow [m/s]
+  bool graded_masses = false;         ///< a gas: in proportion to the flow's density, not equal
+  Periods periods;                    ///< periodic boundaries
 };
 
 class ParticleSystemSPH : public ParticleSystem {
@@ -58,6 +75,9 @@ class ParticleSystemSPH : public ParticleSystem {
   /// particles.
   virtual void AddSpatialInteraction(const ListBlock& block);
   void ComputeAccelerations() override;
+  void InitialPositions() override;
+  /// The initial flow at a point; the density that its scale takes is that of a liquid's reference.
+  FlowAtPoint FlowAt(Vec2 point) const;
   void RestoreParameters() override;
   double LongestMove() const override { return Support(); }
   void ForgetNeighbours() override;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "sph/delta.hpp"
 #include "sph/mueller.hpp"
 
 namespace sph {
@@ -21,6 +22,8 @@ std::span<const Solver> AllSolvers() {
              &Make<ParticleSystemSPH>},
       Solver{"mueller", "Poly6, Spiky and Viscosity kernels, ideal gas, viscosity (Mueller; Schuermann's tutorial)",
              &Make<Mueller>},
+      Solver{"delta", "Wendland kernels; liquids with density diffusion and particle shifting (Antuono, Marrone, Sun)",
+             &Make<Delta>},
   };
   return solvers;
 }

@@ -1,0 +1,225 @@
+#include "sph/delta.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace sph {
+
+Delta::Delta(const Parameters& base, const ParametersSPH& sph) : ParticleSystemSPH(base, sph) {
+  if (sph.precision == Precision::kDouble) arrays_ = Arrays<double>();
+}
+
+std::string Delta::KernelName() const {
+  return parameters_sph.delta.kernel == WendlandKernel::kC2 ? "Wendland C2" : "Wendland C4";
+}
+
+double Delta::Sound() const {
+  return std::visit([&](const auto& equation) { return equation.SoundSpeed(Rho0()); },
+                    parameters_sph.equation_of_state);
+}
+
+void Delta::InitialPositions() {
+  ParticleSystemSPH::InitialPositions();
+  const Particles& p = particles_;
+  density_.assign(p.Size(), Rho0());
+  if (!IsGas()) {
+    for (std::size_t i = 0; i < p.Size(); ++i) {
+      const double pressure = FlowAt(p.Position(i)).pressure;
+      density_[i] = std::visit([&](const auto& equation) { return equation.Density(pressure); },
+                               parameters_sph.equation_of_state);
+    }
+  }
+  density_step_ = 0;
+  std::visit(
+      [](auto& arrays) {
+        for (auto* values : arrays.All()) values->clear();
+      },
+      arrays_);
+}
+
+void Delta::Reorder(std::span<const std::uint32_t> order) {
+  ParticleSystemSPH::Reorder(order);
+  if (IsGas()) return;
+  const auto apply = [&](auto& values) {
+    auto sorted = values;
+    for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = values[order[k]];
+    values.swap(sorted);
+  };
+  const std::size_t old = density_.size();
+  density_.resize(order.size(), Rho0());  // of a block that was dropped
+  apply(density_);
+  std::visit(
+      [&](auto& arrays) {
+        for (auto* values : {&arrays.gradient_x, &arrays.gradient_y, &arrays.wholeness}) {
+          values->resize(std::min(values->size(), old));  // no images
+          values->resize(order.size());
+          apply(*values);
+        }
+      },
+      arrays_);
+}
+
+void Delta::ResizeArrays(std::size_t n) {
+  ParticleSystemSPH::ResizeArrays(n);
+  if (IsGas()) return;
+  std::visit(
+      [n](auto& arrays) {
+        for (auto* values : arrays.All()) values->resize(n + kPadding);
+      },
+      arrays_);
+}
+
+void Delta::ComputeDensities(ListBlock& block) {
+  std::visit(
+      [&](auto& fluid) {
+        ComputeWendlandDensity(parameters_sph.delta.kernel, InputOf(fluid), block, fluid.density.data());
+      },
+      fluid_);
+}
+
+void Delta::AddSpatialInteraction(const ListBlock& block) {
+  std::visit(
+      [&](auto& fluid) {
+        AddWendlandPressure(parameters_sph.delta.kernel, InputOf(fluid), block, fluid.pressure_term.data(),
+                            particles_.ax.data(), particles_.ay.data());
+      },
+      fluid_);
+}
+
+void Delta::ComputeAccelerations() {
+  if (IsGas()) return ParticleSystemSPH::ComputeAccelerations();
+  PrepareGrid();
+  density_.resize(particles_.Size(), Rho0());
+  if (density_step_ != Steps()) AdvanceDensity();
+  density_step_ = Steps();
+  ComputeForces();
+}
+
+template <typename Real>
+WaterInput<Real> Delta::WaterOf(const Arrays<Real>& arrays) const {
+  const DeltaParameters& delta = parameters_sph.delta;
+  const double h_c = parameters_sph.smoothing_length * Sound();
+  return {.kernel = delta.kernel,
+          .volume = arrays.volume.data(),
+          .excess = arrays.excess.data(),
+          .pressure = arrays.pressure.data(),
+          .vx = arrays.vx.data(),
+          .vy = arrays.vy.data(),
+          .gradient_x = arrays.gradient_x.data(),
+          .gradient_y = arrays.gradient_y.data(),
+          .wholeness = arrays.wholeness.data(),
+          .rho0 = Rho0(),
+          .diffusion = delta.diffusion * h_c,
+          .viscosity = parameters_sph.viscosity,
+          .artificial = delta.artificial_viscosity * h_c * Rho0(),
+          .spacing = InitialSpacing(),
+          .sharp_gradient = delta.sharp_gradient};
+}
+
+/// From the last step's time to this one's, by the rates halfway between.
+void Delta::AdvanceDensity() {
+  const PhaseTimer timer(phases_, "density");
+  const Particles& p = particles_;
+  const double dt = LastStep();
+  const double rho0 = Rho0();
+  mid_x_.resize(p.Size());
+  mid_y_.resize(p.Size());
+  std::visit(
+      [&]<typename Real>(const FluidArrays<Real>& fluid) {
+        auto& arrays = std::get<Arrays<Real>>(arrays_);
+        ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i) {
+            mid_x_[i] = p.x[i] - 0.5 * dt * p.vx_prev[i];
+            mid_y_[i] = p.y[i] - 0.5 * dt * p.vy_prev[i];
+            arrays.vx[i] = static_cast<Real>(p.vx_prev[i]);
+            arrays.vy[i] = static_cast<Real>(p.vy_prev[i]);
+            arrays.volume[i] = static_cast<Real>(p.mass[i] / density_[i]);
+            arrays.excess[i] = static_cast<Real>(density_[i] - rho0);
+          }
+        });
+        SetPositions(mid_x_, mid_y_);
+        for (auto* values :
+             {&arrays.vx, &arrays.vy, &arrays.volume, &arrays.excess, &arrays.gradient_x, &arrays.gradient_y}) {
+          CopyToImages(*values);
+        }
+        ForEachBlock([&](const ListBlock& block) {
+          ComputeDensityRates(InputOf(fluid), WaterOf(arrays), block, arrays.rate.data());
+          const auto [first, last] = ParticlesOf(block);
+          for (std::size_t i = first; i < last; ++i) density_[i] += dt * static_cast<double>(arrays.rate[i]);
+        });
+      },
+      fluid_);
+  SetPositions(p.x, p.y);
+}
+
+void Delta::ComputeForces() {
+  const PhaseTimer timer(phases_, "pressure");
+  Particles& p = particles_;
+  const double rho0 = Rho0();
+  std::visit(
+      [&]<typename Real>(FluidArrays<Real>& fluid, const auto& equation_of_state) {
+        auto& arrays = std::get<Arrays<Real>>(arrays_);
+        ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i) {
+            arrays.volume[i] = static_cast<Real>(p.mass[i] / density_[i]);
+            arrays.excess[i] = static_cast<Real>(density_[i] - rho0);
+            arrays.pressure[i] = static_cast<Real>(equation_of_state.Pressure(density_[i]));
+            arrays.vx[i] = static_cast<Real>(p.vx[i]);
+            arrays.vy[i] = static_cast<Real>(p.vy[i]);
+            fluid.density[i] = static_cast<Real>(density_[i]);
+          }
+        });
+        for (auto* values :
+             {&arrays.vx, &arrays.vy, &arrays.volume, &arrays.excess, &arrays.pressure, &arrays.wholeness}) {
+          CopyToImages(*values);
+        }
+        const WaterSums<Real> sums{arrays.gradient_x.data(), arrays.gradient_y.data(), arrays.next_wholeness.data(),
+                                   arrays.shift_x.data(), arrays.shift_y.data()};
+        ForEachBlock([&](ListBlock& block) {
+          const auto [first, last] = ParticlesOf(block);
+          ClearAccelerations(first, last);
+          AddWaterForces(InputOf(fluid), WaterOf(arrays), block, p.ax.data(), p.ay.data(), sums);
+          AddGravity(first, last);
+          AddMotionDamping(first, last);
+        });
+        arrays.wholeness.swap(arrays.next_wholeness);
+      },
+      fluid_, parameters_sph.equation_of_state);
+}
+
+/// Shifts particles towards where they are missing: by -CFL Ma (2h)^2 sum [...] grad W 2 m_j/(rho_i + rho_j)
+/// [Sun et al. 2017, eq. 7], that is -dt 4 h u_max sum, and by a twentieth of a spacing at most.
+void Delta::AfterStep() {
+  if (IsGas() || !parameters_sph.delta.shifting) return;
+  Particles& p = particles_;
+  const double longest = 0.05 * InitialSpacing();
+  const double factor = 4 * parameters_sph.smoothing_length * LastTravel();
+  double furthest2 = 0;
+  std::visit(
+      [&](const auto& arrays) {
+        for (std::size_t i = 0; i < p.Size(); ++i) {
+          Vec2 shift = -factor * Vec2{static_cast<double>(arrays.shift_x[i]), static_cast<double>(arrays.shift_y[i])};
+          const double length = Length(shift);
+          if (length > longest) shift = longest / length * shift;
+          p.x[i] += shift.x;
+          p.y[i] += shift.y;
+          furthest2 = std::max(furthest2, Dot(shift, shift));
+        }
+      },
+      arrays_);
+  AddTravel(std::sqrt(furthest2));
+}
+
+double Delta::InternalEnergy() const { return ParticleSystemSPH::InternalEnergy(); }
+
+std::vector<StepLimit> Delta::StepLimits() const {
+  std::vector<StepLimit> limits = ParticleSystemSPH::StepLimits();
+  return limits;
+}
+
+std::vector<PassPlan> Delta::Plan() const {
+  std::vector<PassPlan> plan = ParticleSystemSPH::Plan();
+  return plan;
+}
+
+}  // namespace sph

@@ -1,0 +1,288 @@
+// The accurate solver's passes; the target loop of Highway comes first.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sph/delta_passes.cpp"
+#include "sph/delta_passes.hpp"
+
+#include <hwy/foreach_target.h>  // compiles this file once for each instruction set
+#include <hwy/highway.h>
+
+#include "sph/cluster_pairs-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace sph {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Below this wholeness a particle's neighbours do not tell a gradient.
+constexpr double kLeastWholeness = 0.2;
+/// Around the surface [Sun et al. 2017]: below the first no shift at all, and where wholeness falls by more than the
+/// second within a support radius none towards the surface.
+constexpr double kSurface = 0.55;
+constexpr double kFallAtSurface = 0.2;
+/// Particles with more than this are away from the surface, where negative pressure must not pull them together.
+constexpr double kInside = 0.75;
+
+template <typename Real, template <class> class Kernel>
+void Rates(const PassInput<Real>& input, const WaterInput<Real>& water, const ListBlock& block, Real* rate) {
+  const hn::ScalableTag<Real> d;
+  const Pairs<Real> pairs(input);
+  const Kernel<decltype(d)> kernel(d, pairs.Support());
+  const double unit = Positions<Real>::Unit(input.support);
+  const double slope = Kernel<decltype(d)>::SlopeFactor(input.support, unit);
+  const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<Real>(value)); };
+  const auto divergence_factor = set(slope);
+  const auto diffusion_factor = set(water.diffusion * slope / unit);
+  const auto metres = set(unit);
+  for (std::uint32_t k = block.first; k < block.last; ++k) {
+    const Cluster& cluster = input.clusters[k];
+    const auto own = [&](const Real* values) HWY_ATTR { return hn::LoadU(d, values + cluster.first); };
+    const auto vx = own(water.vx), vy = own(water.vy), excess = own(water.excess);
+    const auto gx = hn::Mul(own(water.gradient_x), metres), gy = hn::Mul(own(water.gradient_y), metres);
+    auto divergence = hn::Zero(d), diffusion = hn::Zero(d);
+    pairs.ForEach(cluster, block.Of(k), [&](std::uint32_t j, auto dx, auto dy, auto r2) HWY_ATTR {
+      const auto weight = hn::Mul(kernel.NegativeSlopeOverR(r2), hn::Set(d, water.volume[j]));
+      const auto du = hn::Sub(hn::Set(d, water.vx[j]), vx);
+      const auto dv = hn::Sub(hn::Set(d, water.vy[j]), vy);
+      divergence = hn::MulAdd(weight, hn::MulAdd(du, dx, hn::Mul(dv, dy)), divergence);
+      const auto step = hn::Sub(hn::Set(d, water.excess[j]), excess);
+      const auto along_x = hn::MulAdd(hn::Set(d, water.gradient_x[j]), metres, gx);
+      const auto along_y = hn::MulAdd(hn::Set(d, water.gradient_y[j]), metres, gy);
+      const auto psi = hn::MulAdd(along_x, dx, hn::MulAdd(along_y, dy, hn::Add(step, step)));
+      diffusion = hn::MulAdd(weight, psi, diffusion);
+    });
+    const auto density = hn::Add(excess, set(water.rho0));
+    const auto compression = hn::Mul(hn::Mul(density, divergence), divergence_factor);
+    StoreCluster(d, hn::MulAdd(diffusion, diffusion_factor, compression), cluster, rate);
+  }
+}
+
+/// Sums of the force pass that tell where a particle's neighbours are, and what follows from them.
+template <class D, template <class> class Kernel>
+class Surroundings {
+ public:
+  using V = hn::Vec<D>;
+  using Real = hn::TFromD<D>;
+
+  explicit Surroundings(D d)
+      : d_(d),
+        xx_(hn::Zero(d)),
+        xy_(xx_),
+        yy_(xx_),
+        rise_x_(xx_),
+        rise_y_(xx_),
+        fall_x_(xx_),
+        fall_y_(xx_),
+        lack_x_(xx_),
+        lack_y_(xx_) {}
+
+  /// weight = V_j (-W'/r); rise, fall = differences j - i of density and wholeness; bias = 1 + 0.2 (W/W(dx))^4
+  HWY_INLINE void Add(V weight, V dx, V dy, V rise, V fall, V bias) {
+    const V wx = hn::Mul(weight, dx), wy = hn::Mul(weight, dy);
+    xx_ = hn::MulAdd(wx, dx, xx_);
+    xy_ = hn::MulAdd(wx, dy, xy_);
+    yy_ = hn::MulAdd(wy, dy, yy_);
+    rise_x_ = hn::NegMulAdd(wx, rise, rise_x_);
+    rise_y_ = hn::NegMulAdd(wy, rise, rise_y_);
+    fall_x_ = hn::NegMulAdd(wx, fall, fall_x_);
+    fall_y_ = hn::NegMulAdd(wy, fall, fall_y_);
+    lack_x_ = hn::NegMulAdd(wx, bias, lack_x_);
+    lack_y_ = hn::NegMulAdd(wy, bias, lack_y_);
+  }
+
+  /// slope = the kernel's SlopeFactor, unit = metres of a coordinate's unit
+  HWY_INLINE void Store(double slope, double unit, double support, const Cluster& cluster,
+                        const WaterSums<Real>& sums) const {
+    const V per_metre = Set(slope);
+    const V matrix = Set(slope * unit);
+    const V xx = hn::Mul(xx_, matrix), xy = hn::Mul(xy_, matrix), yy = hn::Mul(yy_, matrix);
+    const V half = Set(0.5);
+    const V difference = hn::Sub(xx, yy), twice_xy = hn::Add(xy, xy);
+    const V root = hn::Sqrt(hn::MulAdd(difference, difference, hn::Mul(twice_xy, twice_xy)));
+    const V wholeness = hn::Mul(half, hn::Sub(hn::Add(xx, yy), root));
+    const auto known = hn::Gt(wholeness, Set(kLeastWholeness));
+    const V determinant = hn::NegMulAdd(xy, xy, hn::Mul(xx, yy));
+    const V scale = hn::IfThenElseZero(known, hn::Div(per_metre, hn::IfThenElse(known, determinant, Set(1))));
+    const auto corrected = [&](V x, V y, V& to_x, V& to_y) HWY_ATTR {
+      to_x = hn::Mul(scale, hn::NegMulAdd(xy, y, hn::Mul(yy, x)));
+      to_y = hn::Mul(scale, hn::NegMulAdd(xy, x, hn::Mul(xx, y)));
+    };
+    V gx, gy, nx, ny;
+    corrected(rise_x_, rise_y_, gx, gy);
+    corrected(fall_x_, fall_y_, nx, ny);
+    StoreCluster(d_, wholeness, cluster, sums.wholeness);
+    StoreCluster(d_, gx, cluster, sums.gradient_x);
+    StoreCluster(d_, gy, cluster, sums.gradient_y);
+    // The shift goes against `lack`; where wholeness grows in that direction it leads inwards.
+    V sx = hn::Mul(lack_x_, per_metre), sy = hn::Mul(lack_y_, per_metre);
+    const V steepness2 = hn::MulAdd(nx, nx, hn::Mul(ny, ny));
+    const V along = hn::MulAdd(sx, nx, hn::Mul(sy, ny));
+    const double threshold = kFallAtSurface / support;
+    const auto outwards = hn::And(hn::Gt(steepness2, Set(threshold * threshold)), hn::Gt(along, hn::Zero(d_)));
+    const V normal_part = hn::IfThenElseZero(outwards, hn::Div(along, hn::Max(steepness2, Set(threshold * threshold))));
+    const auto inside = hn::Gt(wholeness, Set(kSurface));
+    sx = hn::IfThenElseZero(inside, hn::NegMulAdd(normal_part, nx, sx));
+    sy = hn::IfThenElseZero(inside, hn::NegMulAdd(normal_part, ny, sy));
+    StoreCluster(d_, sx, cluster, sums.shift_x);
+    StoreCluster(d_, sy, cluster, sums.shift_y);
+  }
+
+ private:
+  HWY_INLINE V Set(double value) const { return hn::Set(d_, static_cast<Real>(value)); }
+
+  D d_;
+  V xx_, xy_, yy_;
+  V rise_x_, rise_y_, fall_x_, fall_y_, lack_x_, lack_y_;
+};
+
+template <typename Real, template <class> class Kernel, bool kViscous, bool kArtificial>
+void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax, double* ay,
+            const WaterSums<Real>& sums) {
+  const hn::ScalableTag<Real> d;
+  const Pairs<Real> pairs(input);
+  const Kernel<decltype(d)> kernel(d, pairs.Support());
+  const double unit = Positions<Real>::Unit(input.support);
+  const double slope = Kernel<decltype(d)>::SlopeFactor(input.support, unit);
+  const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<Real>(value)); };
+  const auto spacing = set(water.spacing / unit);
+  const auto per_value_at_spacing = hn::Div(set(1), kernel.ValueOf(kernel.Rest(hn::Mul(spacing, spacing))));
+  const auto one = set(1), fifth = set(0.2);
+  const auto push_factor = set(slope), drag_factor = set(2 * water.viscosity * slope / unit);
+  const auto brake_factor = set(water.artificial * slope / unit);
+  const double support = pairs.Support();
+  const auto flat = set(Kernel<decltype(d)>::kFlat), fall = set(Kernel<decltype(d)>::kFall / (support * support));
+  const auto push_flat = water.sharp_gradient ? flat : one, push_fall = water.sharp_gradient ? fall : hn::Zero(d);
+  const bool refine = block.coarse;
+  Refinement<Real> refinement(input, pairs, block);
+  for (std::uint32_t k = block.first; k < block.last; ++k) {
+    const Cluster& cluster = input.clusters[k];
+    const auto own = [&](const Real* values) HWY_ATTR { return hn::LoadU(d, values + cluster.first); };
+    const auto excess = own(water.excess), wholeness = own(water.wholeness), pressure = own(water.pressure);
+    const auto vx = own(water.vx), vy = own(water.vy);
+    const auto pulls = hn::And(hn::Lt(pressure, hn::Zero(d)), hn::Gt(wholeness, set(kInside)));
+    const auto own_pressure = hn::IfThenElse(pulls, hn::Neg(pressure), pressure);
+    auto push_x = hn::Zero(d), push_y = hn::Zero(d), drag_x = hn::Zero(d), drag_y = hn::Zero(d);
+    auto brake_x = hn::Zero(d), brake_y = hn::Zero(d);
+    Surroundings<decltype(d), Kernel> around(d);
+    const auto list = refine ? refinement.Of(k) : block.Of(k);
+    pairs.ForEach(cluster, list, [&](std::uint32_t j, auto dx, auto dy, auto r2) HWY_ATTR {
+      if (refine) refinement.Look(j, r2);
+      const auto rest = kernel.Rest(r2);
+      const auto weight = hn::Mul(kernel.SlopeOf(rest), hn::Set(d, water.volume[j]));
+      const auto push_weight = hn::Mul(weight, hn::NegMulAdd(r2, push_fall, push_flat));
+      const auto push = hn::Mul(push_weight, hn::Add(own_pressure, hn::Set(d, water.pressure[j])));
+      push_x = hn::MulAdd(push, dx, push_x);
+      push_y = hn::MulAdd(push, dy, push_y);
+      if constexpr (kViscous || kArtificial) {
+        const auto du = hn::Sub(hn::Set(d, water.vx[j]), vx);
+        const auto dv = hn::Sub(hn::Set(d, water.vy[j]), vy);
+        if constexpr (kViscous) {
+          const auto sharp = hn::Mul(weight, hn::NegMulAdd(r2, fall, flat));
+          drag_x = hn::MulAdd(sharp, du, drag_x);
+          drag_y = hn::MulAdd(sharp, dv, drag_y);
+        }
+        if constexpr (kArtificial) {
+          const auto brake = hn::Mul(weight, hn::Div(hn::MulAdd(du, dx, hn::Mul(dv, dy)), r2));
+          brake_x = hn::MulAdd(brake, dx, brake_x);
+          brake_y = hn::MulAdd(brake, dy, brake_y);
+        }
+      }
+      const auto ratio = hn::Mul(kernel.ValueOf(rest), per_value_at_spacing);
+      const auto square = hn::Mul(ratio, ratio);
+      const auto bias = hn::MulAdd(hn::Mul(square, square), fifth, one);
+      around.Add(weight, dx, dy, hn::Sub(hn::Set(d, water.excess[j]), excess),
+                 hn::Sub(hn::Set(d, water.wholeness[j]), wholeness), bias);
+    });
+    const auto per_density = hn::Div(one, hn::Add(excess, set(water.rho0)));
+    const auto total = [&](auto push, auto drag, auto brake) HWY_ATTR {
+      auto sum = hn::Mul(push, push_factor);
+      if constexpr (kViscous) sum = hn::MulAdd(drag, drag_factor, sum);
+      if constexpr (kArtificial) sum = hn::MulAdd(brake, brake_factor, sum);
+      return hn::Mul(sum, per_density);
+    };
+    AddLanes(d, total(push_x, drag_x, brake_x), cluster, ax);
+    AddLanes(d, total(push_y, drag_y, brake_y), cluster, ay);
+    around.Store(slope, unit, input.support, cluster, sums);
+    if (refine) refinement.Close(k);
+  }
+  block.coarse = false;
+}
+
+template <typename Real, template <class> class Kernel>
+void ForcesWith(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax, double* ay,
+                const WaterSums<Real>& sums) {
+  const bool viscous = water.viscosity != 0;
+  if (water.artificial != 0) {
+    if (viscous) return Forces<Real, Kernel, true, true>(input, water, block, ax, ay, sums);
+    return Forces<Real, Kernel, false, true>(input, water, block, ax, ay, sums);
+  }
+  if (viscous) return Forces<Real, Kernel, true, false>(input, water, block, ax, ay, sums);
+  return Forces<Real, Kernel, false, false>(input, water, block, ax, ay, sums);
+}
+
+}  // namespace
+
+#define SPH_PASSES_OF(Real, Name)                                                                                    \
+  void WendlandDensity##Name(WendlandKernel kernel, const PassInput<Real>& input, ListBlock& block, Real* density) { \
+    if (kernel == WendlandKernel::kC2) return DensityOf<Real, WendlandC2Lanes>(input, block, density);               \
+    DensityOf<Real, WendlandC4Lanes>(input, block, density);                                                         \
+  }                                                                                                                  \
+  void WendlandPressure##Name(WendlandKernel kernel, const PassInput<Real>& input, const ListBlock& block,           \
+                              const Real* term, double* ax, double* ay) {                                            \
+    if (kernel == WendlandKernel::kC2) return PressureOf<Real, WendlandC2Lanes>(input, block, term, ax, ay);         \
+    PressureOf<Real, WendlandC4Lanes>(input, block, term, ax, ay);                                                   \
+  }                                                                                                                  \
+  void DensityRates##Name(const PassInput<Real>& input, const WaterInput<Real>& water, const ListBlock& block,       \
+                          Real* rate) {                                                                              \
+    if (water.kernel == WendlandKernel::kC2) return Rates<Real, WendlandC2Lanes>(input, water, block, rate);         \
+    Rates<Real, WendlandC4Lanes>(input, water, block, rate);                                                         \
+  }                                                                                                                  \
+  void WaterForces##Name(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax,  \
+                         double* ay, const WaterSums<Real>& sums) {                                                  \
+    if (water.kernel == WendlandKernel::kC2)                                                                         \
+      return ForcesWith<Real, WendlandC2Lanes>(input, water, block, ax, ay, sums);                                   \
+    ForcesWith<Real, WendlandC4Lanes>(input, water, block, ax, ay, sums);                                            \
+  }
+SPH_PASSES_OF(float, Float)
+SPH_PASSES_OF(double, Double)
+#undef SPH_PASSES_OF
+
+}  // namespace HWY_NAMESPACE
+}  // namespace sph
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sph {
+
+#define SPH_DISPATCH(Real, Name)                                                                                       \
+  HWY_EXPORT(WendlandDensity##Name);                                                                                   \
+  HWY_EXPORT(WendlandPressure##Name);                                                                                  \
+  HWY_EXPORT(DensityRates##Name);                                                                                      \
+  HWY_EXPORT(WaterForces##Name);                                                                                       \
+  template <>                                                                                                          \
+  void ComputeWendlandDensity<Real>(WendlandKernel kernel, const PassInput<Real>& input, ListBlock& block,             \
+                                    Real* density) {                                                                   \
+    HWY_DYNAMIC_DISPATCH(WendlandDensity##Name)(kernel, input, block, density);                                        \
+  }                                                                                                                    \
+  template <>                                                                                                          \
+  void AddWendlandPressure<Real>(WendlandKernel kernel, const PassInput<Real>& input, const ListBlock& block,          \
+                                 const Real* pressure_term, double* ax, double* ay) {                                  \
+    HWY_DYNAMIC_DISPATCH(WendlandPressure##Name)(kernel, input, block, pressure_term, ax, ay);                         \
+  }                                                                                                                    \
+  template <>                                                                                                          \
+  void ComputeDensityRates<Real>(const PassInput<Real>& input, const WaterInput<Real>& water, const ListBlock& block,  \
+                                 Real* rate) {                                                                         \
+    HWY_DYNAMIC_DISPATCH(DensityRates##Name)(input, water, block, rate);                                               \
+  }                                                                                                                    \
+  template <>                                                                                                          \
+  void AddWaterForces<Real>(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax, \
+                            double* ay, const WaterSums<Real>& sums) {                                                 \
+    HWY_DYNAMIC_DISPATCH(WaterForces##Name)(input, water, block, ax, ay, sums);                                        \
+  }
+SPH_DISPATCH(float, Float)
+SPH_DISPATCH(double, Double)
+#undef SPH_DISPATCH
+
+}  // namespace sph
+#endif  // HWY_ONCE

@@ -1,0 +1,88 @@
+#include "sph/initial_flow.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace sph {
+namespace {
+
+using std::numbers::pi;
+
+FlowAtPoint AtRest(Vec2, const FlowScale&) { return {}; }
+
+/// p = rho g (y_surface - y).
+FlowAtPoint Hydrostatic(Vec2 point, const FlowScale& scale) {
+  return {{}, -scale.density * scale.gravity.y * (scale.box.y1 - point.y)};
+}
+
+/// u = -U cos kx sin ky, v = U sin kx cos ky, p = -rho U^2/4 (cos 2kx + cos 2ky), k = 2 pi/L [G. I. Taylor & A. E.
+/// Green, Proc. R. Soc. A 158 (1937) 499].
+FlowAtPoint TaylorGreen(Vec2 point, const FlowScale& scale) {
+  const double x = 2 * pi * (point.x - scale.box.x0) / scale.box.Width();
+  const double y = 2 * pi * (point.y - scale.box.y0) / scale.box.Height();
+  const double u = scale.speed;
+  return {{-u * std::cos(x) * std::sin(y), u * std::sin(x) * std::cos(y)},
+          -0.25 * scale.density * u * u * (std::cos(2 * x) + std::cos(2 * y))};
+}
+
+/// u = -A x, v = A y with A = U/R, p = rho A^2/2 (R^2 - r^2) in a disk [J. J. Monaghan, J. Comput. Phys. 110 (1994)
+/// 399].
+FlowAtPoint Stretching(Vec2 point, const FlowScale& scale) {
+  const Vec2 from_centre = point - scale.box.Centre();
+  const double radius = 0.5 * scale.box.Width();
+  const double rate = scale.speed / radius;
+  return {{-rate * from_centre.x, rate * from_centre.y},
+          0.5 * scale.density * rate * rate * (radius * radius - Dot(from_centre, from_centre))};
+}
+
+/// u = w y, v = -w x with w = 2U/L in a square of side L, lap p = 2 rho w^2, p = 0 on its sides, as a double sine
+/// series [A. Colagrossi, PhD thesis, Rome 2005; in the form of D. Le Touze et al., Int. J. Numer. Methods Fluids 73
+/// (2013) 660].
+FlowAtPoint RotatingSquare(Vec2 point, const FlowScale& scale) {
+  constexpr int kTerms = 60;
+  const Vec2 from_centre = point - scale.box.Centre();
+  const double side = scale.box.Width();
+  const double rate = 2 * scale.speed / side;
+  const double x = pi * (from_centre.x / side + 0.5), y = pi * (from_centre.y / side + 0.5);
+  double sum = 0;
+  for (int m = 1; m < kTerms; m += 2) {
+    for (int n = 1; n < kTerms; n += 2) {
+      sum += std::sin(m * x) * std::sin(n * y) / (m * n * pi * pi * (m * m + n * n));
+    }
+  }
+  return {{rate * from_centre.y, -rate * from_centre.x},
+          -32 * scale.density * rate * rate * side * side / (pi * pi) * sum};
+}
+
+/// rho = 2M/(pi R^2) (1 - r^2/R^2): the static toy star [Braune & Lewiner eq. 22], here moving as v = U x/R.
+FlowAtPoint Star(Vec2 point, const FlowScale& scale) {
+  const Vec2 from_centre = point - scale.box.Centre();
+  const double radius = 0.5 * scale.box.Width();
+  const double s2 = Dot(from_centre, from_centre) / (radius * radius);
+  return {scale.speed / radius * from_centre, 0, 2 * scale.mass / (pi * radius * radius) * std::max(0.0, 1 - s2)};
+}
+
+FlowAtPoint StarAtRest(Vec2 point, const FlowScale& scale) {
+  FlowAtPoint star = Star(point, scale);
+  star.velocity = {};
+  return star;
+}
+
+}  // namespace
+
+std::span<const InitialFlow> AllInitialFlows() {
+  static const std::array flows = {
+      InitialFlow{"rest", "no motion, reference density", &AtRest},
+      InitialFlow{"hydrostatic", "no motion, pressure that carries the fluid above", &Hydrostatic},
+      InitialFlow{"taylor-green", "a periodic array of vortices", &TaylorGreen},
+      InitialFlow{"stretching", "a drop that becomes an ellipse", &Stretching},
+      InitialFlow{"star", "a toy star at rest", &StarAtRest},
+      InitialFlow{"breathing-star", "a toy star that swells from its static size", &Star},
+      InitialFlow{"rotating-square", "a square that turns like a rigid body", &RotatingSquare},
+  };
+  return flows;
+}
+
+}  // namespace sph
