@@ -15,6 +15,7 @@
 #include "commands/listing.hpp"
 #include "commands/render.hpp"
 #include "commands/run.hpp"
+#include "commands/verify.hpp"
 #include "scenes/catalogue.hpp"
 #include "window/window.hpp"
 
@@ -37,6 +38,7 @@ class CommandLine {
     AddScenes();
     AddInfo();
     AddFigures();
+    AddVerify();
     AddBench();
     app_.footer("Without a command: the scene in a window. `sphlab COMMAND --help` says what a command takes.\n" +
                 exit_codes);
@@ -125,6 +127,14 @@ class CommandLine {
     command->add_option("--out", figures_out_, "folder of figure1.png, figure2.png, figure3.png")->required();
   }
 
+  void AddVerify() {
+    CLI::App* command = Add("verify", "accuracy against exact solutions", [this] { return Verify(verify_); });
+    command->add_option("CASE", verify_.cases, "names of cases; default: all that are quick");
+    command->add_flag("--all", verify_.all, "the long ones, too");
+    command->add_option("--threads", verify_.threads, "0: as many as there are processors")->check(CLI::Range(0, 4096));
+    command->add_flag("--json", verify_.json, "an array of {case, solver, particles, metric, value, bar, ...}");
+  }
+
   void AddBench() {
     CLI::App* command =
         Add("bench", "what a particle and step costs, and with which error", [this] { return BenchSpeed(bench_); });
@@ -195,6 +205,7 @@ class CommandLine {
   CLI::Option* info_scene_ = nullptr;
   std::string figures_out_;
   BenchOptions bench_;
+  VerifyOptions verify_;
   std::string bench_case_ = "speed";
   bool json_ = false;
 };

@@ -59,6 +59,8 @@ class ParticleSystemSPH : public ParticleSystem {
   /// Mean number of neighbours within the support at the last step's positions, the particle itself not counted.
   /// Counted when asked for.
   double MeanNeighbours() const;
+  /// The initial flow at a point; the density that its scale takes is that of a liquid's reference.
+  FlowAtPoint FlowAt(Vec2 point) const;
   const NeighbourSearch& Neighbours() const { return neighbours_; }
   /// See NeighbourSearch::KeepLists.
   void KeepLists(bool keep) { neighbours_.KeepLists(keep); }
@@ -76,8 +78,6 @@ class ParticleSystemSPH : public ParticleSystem {
   virtual void AddSpatialInteraction(const ListBlock& block);
   void ComputeAccelerations() override;
   void InitialPositions() override;
-  /// The initial flow at a point; the density that its scale takes is that of a liquid's reference.
-  FlowAtPoint FlowAt(Vec2 point) const;
   void RestoreParameters() override;
   double LongestMove() const override { return Support(); }
   void ForgetNeighbours() override;

@@ -1,0 +1,21 @@
+// `sphlab verify`: the verification cases as a table or as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace sph {
+
+struct VerifyOptions {
+  std::vector<std::string> cases;  ///< by name; empty: all that are not slow
+  bool all = false;                ///< the slow ones, too
+  bool json = false;
+  int threads = 0;
+};
+
+/// kDone only if every metric holds its bar. UsageError for a case that is not there.
+ExitCode Verify(const VerifyOptions& options);
+
+}  // namespace sph
