@@ -47,6 +47,8 @@ std::span<const VerificationCase> AllVerificationCases() {
                        &MeasureTaylorGreen},
       VerificationCase{"elliptic-drop", "a drop that becomes an ellipse, R/dx = 40", false, Named("elliptic-drop"),
                        &MeasureEllipticDrop},
+      VerificationCase{"oscillating-drop", "a drop under a central force, three periods, R/dx = 50", true,
+                       Named("oscillating-drop"), &MeasureOscillatingDrop},
       VerificationCase{"rotating-square", "a square that throws out arms, L/dx = 100", true, Named("rotating-square"),
                        &MeasureRotatingSquare},
   };

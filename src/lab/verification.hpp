@@ -37,6 +37,7 @@ std::vector<Verdict> MeasureStaticStar(ParticleSystemSPH& system, double bar, co
 std::vector<Verdict> MeasureBreathingStar(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureTaylorGreen(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureEllipticDrop(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureOscillatingDrop(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureRotatingSquare(ParticleSystemSPH& system);
 
 /// Steps until `time` [s] or until the run breaks down.

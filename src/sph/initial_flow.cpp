@@ -34,7 +34,7 @@ FlowAtPoint Stretching(Vec2 point, const FlowScale& scale) {
   const double radius = 0.5 * scale.box.Width();
   const double rate = scale.speed / radius;
   return {{-rate * from_centre.x, rate * from_centre.y},
-          0.5 * scale.density * rate * rate * (radius * radius - Dot(from_centre, from_centre))};
+          0.5 * scale.density * (rate * rate + scale.central) * (radius * radius - Dot(from_centre, from_centre))};
 }
 
 /// u = w y, v = -w x with w = 2U/L in a square of side L, lap p = 2 rho w^2, p = 0 on its sides, as a double sine

@@ -15,6 +15,7 @@ struct FlowScale {
   double density = 0;  ///< rho0 [kg/m^3]
   double mass = 0;     ///< of all the fluid [kg/m]
   Vec2 gravity;        ///< [m/s^2]
+  double central = 0;  ///< lambda of a = -lambda x [1/s^2]
 };
 
 struct FlowAtPoint {
