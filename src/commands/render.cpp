@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/clock.hpp"
+#include "base/memory.hpp"
 #include "commands/interrupt.hpp"
 #include "commands/messages.hpp"
 #include "headless/frame_recorder.hpp"
@@ -81,6 +82,7 @@ class FrameWriter {
 
 ExitCode RenderScene(const RenderOptions& options) {
   CatchInterrupts();
+  KeepFreedMemory();
   const Size size = ReadSize(options.size);
   Session session(options.common.request);
   KeyScript keys(options.common.keys, session.CurrentScene());

@@ -23,10 +23,11 @@ struct Moment {
   Box content;                ///< what shows the scene whole [m]
 
   // Counted, since a moment may be passed over: who looks acts when the number is another than before.
+  long number = 0;        ///< of this moment
   long scene_number = 0;  ///< of the scenes loaded so far
-  long said = 0;          ///< messages so far; the last is
-  std::string message;    ///< this one, which may be empty: the one before is over
-  long saves = 0;         ///< pictures asked for so far
+  long presses = 0;       ///< of keys so far; the last had this to say, and what was said before is over
+  std::string message;
+  long saves = 0;  ///< pictures asked for so far
   bool quit = false;
 };
 

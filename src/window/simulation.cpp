@@ -12,11 +12,17 @@ namespace {
 constexpr double kBudget = 0.004;  // [s] of steps in a row, so that keys do not wait longer if steps are short
 constexpr double kDebt = 0.1;      // [s] of wall time that is made up for when the machine was busy with something else
 
+/// [s] Where a frame takes longer, the processors draw it, and steps made beside it would only make both longer: a key
+/// would then wait for a long frame, the rest of a long step and the frame that shows what it does. In turns it waits
+/// for a frame or a step.
+constexpr double kLongFrame = 0.010;
+
 /// The calling thread, and those that it starts, leave the processors to whoever else wants them now: to the thread
 /// that draws and to OpenGL's own. It draws part of the time only, so the simulation is slowed down, not stopped.
 void LetOthersGoFirst() {
-  constexpr int kNiceness = 10;
-  setpriority(PRIO_PROCESS, 0, kNiceness);  // Linux: of this thread; if it is refused, nothing is lost but smoothness
+  constexpr int kNicer = 10;
+  const int niceness = getpriority(PRIO_PROCESS, 0);  // on Linux that of this thread
+  setpriority(PRIO_PROCESS, 0, niceness + kNicer);    // if it is refused, nothing is lost but smoothness
 }
 
 }  // namespace
@@ -64,6 +70,16 @@ void Simulation::AskForNews() {
   changed_.notify_one();
 }
 
+void Simulation::NoteShown(double seconds) {
+  ++frames_;
+  {
+    const std::lock_guard lock(mutex_);
+    shown_ = Now().number;
+    take_turns_ = seconds > kLongFrame;
+  }
+  changed_.notify_one();
+}
+
 bool Simulation::Take() {
   {
     const std::lock_guard lock(mutex_);
@@ -94,10 +110,11 @@ bool Simulation::WaitForWork() {
   const std::chrono::duration<double> since(clock_.Seconds() - last_advance_);
   const auto due = std::chrono::steady_clock::now() + (pace_.Wait(session_) - since);
   for (;;) {
-    if (wanted()) {
+    if (posted_.empty() && wanted()) {
       lock.unlock();
       Publish();
       lock.lock();
+      if (take_turns_) WaitUntilShown(lock);
     }
     const bool woken = changed_.wait_until(lock, due, [&] { return stopped_ || !posted_.empty() || wanted(); });
     if (stopped_) return false;
@@ -118,11 +135,20 @@ void Simulation::Act() {
     }
     PressKey(session_, event.key);
     message_ = std::exchange(session_.message, {});
-    ++said_;
+    ++acted_on_;
     if (std::exchange(session_.save_requested, false)) ++saves_;
     pressed = true;
   }
-  if (pressed) Publish();
+  if (!pressed) return;
+  Publish();
+  std::unique_lock lock(mutex_);
+  WaitUntilShown(lock);
+}
+
+/// Leaves the processors to the frame that shows what was published last.
+void Simulation::WaitUntilShown(std::unique_lock<std::mutex>& lock) {
+  constexpr std::chrono::milliseconds kPatience(50);  // a display that waits, or is not to be seen, holds nothing up
+  changed_.wait_for(lock, kPatience, [this] { return stopped_ || shown_ >= published_; });
 }
 
 void Simulation::Publish() {
@@ -134,8 +160,9 @@ void Simulation::Publish() {
   for (int frames = frames_.exchange(0); frames > 0; --frames) meter_.CountFrame();
   Moment& moment = moments_.Fill();
   Note(session_, meter_.Read(clock_.Seconds(), session_.System().Time()), moment);
+  moment.number = ++published_;
   moment.scene_number = scene_number_;
-  moment.said = said_;
+  moment.presses = acted_on_;
   moment.message = message_;
   moment.saves = saves_;
   moment.quit = session_.quit_requested;

@@ -33,7 +33,10 @@ class Simulation {
   /// From now on simulated time goes with the clock.
   void Start();
   /// Keys act at the end of the step that is being made, and what they did is news.
-  void Press(const std::string& key) { Post({key, true}); }
+  void Press(const std::string& key) {
+    ++presses_;
+    Post({key, true});
+  }
   void Release(const std::string& key) { Post({key, false}); }
   /// The next change is news; without this, only what keys did is.
   void AskForNews();
@@ -42,8 +45,10 @@ class Simulation {
   bool Take();
   /// The moment that was taken last.
   const Moment& Now() const { return moments_.Front(); }
-  /// Another frame was shown, for the status line.
-  void CountFrame() { ++frames_; }
+  /// Has that moment seen all keys pressed so far?
+  bool IsUpToDate() const { return Now().presses == presses_; }
+  /// The moment that was taken last has been shown; drawing it took so long.
+  void NoteShown(double seconds);
 
  private:
   struct KeyEvent {
@@ -55,10 +60,12 @@ class Simulation {
   void Run();
   bool WaitForWork();
   void Act();
+  void WaitUntilShown(std::unique_lock<std::mutex>& lock);
   void Publish();
 
   std::function<void()> on_news_;
   DoubleBuffer<Moment> moments_;
+  long presses_ = 0;             // posted
   std::atomic<int> frames_ = 0;  // shown since they were last counted
 
   // Given to the thread.
@@ -66,6 +73,8 @@ class Simulation {
   std::condition_variable changed_;
   std::vector<KeyEvent> posted_;
   bool asked_ = false;
+  long shown_ = 0;           // number of the moment shown last
+  bool take_turns_ = false;  // steps are made between frames, not beside them
   bool stopped_ = false;
   std::exception_ptr failure_;  // by the thread
 
@@ -78,7 +87,8 @@ class Simulation {
   std::vector<KeyEvent> events_;
   const ParticleSystemSPH* system_ = nullptr;  // of the last moment, to know another scene by
   long scene_number_ = 0;
-  long said_ = 0;
+  long published_ = 0;  // moments
+  long acted_on_ = 0;   // presses
   std::string message_;
   long saves_ = 0;
   bool has_changed_ = false;  // since the last moment

@@ -13,6 +13,7 @@
 
 #include "base/clock.hpp"
 #include "base/library.hpp"
+#include "base/memory.hpp"
 #include "io/png.hpp"
 #include "window/bell.hpp"
 #include "window/controls.hpp"
@@ -114,7 +115,7 @@ class Window {
   double next_ask_ = 0;
   std::string shown_message_;
   long shown_scene_ = 0;  // numbers of the moment that was taken last
-  long said_ = 0;
+  long presses_ = 0;
   long saves_ = 0;
   std::exception_ptr failure_;
   ExitCode exit_code_ = ExitCode::kDone;
@@ -188,7 +189,8 @@ void Window::TakeTurn() {
   ReleaseLostKeys();
   TakeNews();
   if (!screen_) return;
-  if (is_stale_ || board_.Read(clock_.Seconds()) != shown_message_) Draw();
+  // A frame without what the last key does would only delay the one with it.
+  if (simulation_.IsUpToDate() && (is_stale_ || board_.Read(clock_.Seconds()) != shown_message_)) Draw();
   Ask();
   Wait();
 }
@@ -203,7 +205,7 @@ void Window::TakeNews() {
     return;
   }
   FollowScene();
-  if (std::exchange(said_, moment.said) != moment.said) board_.Show(moment.message, clock_.Seconds());
+  if (std::exchange(presses_, moment.presses) != moment.presses) board_.Show(moment.message, clock_.Seconds());
   if (std::exchange(saves_, moment.saves) != moment.saves) SavePicture();
 }
 
@@ -215,7 +217,7 @@ void Window::Draw() {
   screen_->Draw(simulation_.Now(), shown_message_);
   const double drawn = clock_.Seconds();
   glut_.SwapBuffers();
-  simulation_.CountFrame();
+  simulation_.NoteShown(drawn - start);
   is_stale_ = false;
   next_ask_ = std::max(asked_at_ + kFrame, drawn + (drawn - start));
 }
@@ -298,6 +300,7 @@ void Window::Close() {
 }  // namespace
 
 ExitCode RunWindow(const SceneRequest& request, const std::function<bool()>& interrupted) {
+  KeepFreedMemory();
   return Window(request, interrupted).Run();
 }
 
