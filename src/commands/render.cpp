@@ -115,7 +115,9 @@ ExitCode RenderScene(const RenderOptions& options) {
                                            {"gl", writer.Recorder().GlDescription()},
                                            {"time", session.System().Time()},
                                            {"wall_seconds", watch.Seconds()},
-                                           {"status", session.System().Trouble() ? "unstable" : "ok"}};
+                                           {"status", session.System().Trouble() ? "unstable" : "ok"},
+                                           {"drawing_seconds", writer.Recorder().DrawingSeconds()},
+                                           {"writing_seconds", writer.Recorder().WritingSeconds()}};
     fmt::print("{}\n", report.dump(2));
   } else if (!options.common.quiet) {
     fmt::print("{} frames of {} pixels in {} ({}, {:.1f} s): {} ...\n", writer.Frames(), options.size, options.out,
