@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/clock.hpp"
+#include "base/memory.hpp"
 #include "commands/interrupt.hpp"
 #include "commands/messages.hpp"
-#include "headless/frame_renderer.hpp"
+#include "headless/frame_recorder.hpp"
 #include "io/output_directory.hpp"
-#include "io/png.hpp"
 #include "scenes/build.hpp"
 #include "window/key_script.hpp"
 
@@ -53,26 +53,28 @@ long CountFrames(const RenderOptions& options, double until) {
   return static_cast<long>(options.frames ? std::min(count, static_cast<double>(*options.frames)) : count);
 }
 
-/// Draws a session, each picture a file.
+/// Has a session drawn, each picture a file.
 class FrameWriter {
  public:
   FrameWriter(const RenderOptions& options, Size size)
-      : folder_(options.out), renderer_(BackendNamed(options.backend), size.width, size.height) {}
+      : folder_(options.out), recorder_(BackendNamed(options.backend), size.width, size.height) {}
 
   void Write(const Session& session, const std::filesystem::path& file) {
-    WritePng(file, renderer_.Render(InitialView(session.CurrentScene()), session.colouring,
-                                    [&](Canvas& canvas) { session.System().Draw(canvas); }));
+    recorder_.Record(file, InitialView(session.CurrentScene()), session.colouring,
+                     [&](Canvas& canvas) { session.System().Draw(canvas); });
   }
   void WriteFrame(const Session& session) { Write(session, FrameFile(folder_, frames_++)); }
   /// What the key s asks for: one more picture, named after the frame that it comes before.
   void WriteSaved(const Session& session) { Write(session, folder_ / fmt::format("saved_{:06}.png", frames_)); }
+  /// Waits for the last file.
+  void Finish() { recorder_.Finish(); }
 
   long Frames() const { return frames_; }
-  const FrameRenderer& Renderer() const { return renderer_; }
+  const FrameRecorder& Recorder() const { return recorder_; }
 
  private:
   std::filesystem::path folder_;
-  FrameRenderer renderer_;
+  FrameRecorder recorder_;
   long frames_ = 0;
 };
 
@@ -80,6 +82,7 @@ class FrameWriter {
 
 ExitCode RenderScene(const RenderOptions& options) {
   CatchInterrupts();
+  KeepFreedMemory();
   const Size size = ReadSize(options.size);
   Session session(options.common.request);
   KeyScript keys(options.common.keys, session.CurrentScene());
@@ -101,21 +104,24 @@ ExitCode RenderScene(const RenderOptions& options) {
       break;  // no later key can be reached
     }
   }
+  writer.Finish();
   if (options.common.json) {
     const nlohmann::ordered_json report = {{"scene", session.CurrentScene().name},
                                            {"frames", writer.Frames()},
                                            {"out", options.out},
                                            {"width", size.width},
                                            {"height", size.height},
-                                           {"backend", writer.Renderer().BackendName()},
-                                           {"gl", writer.Renderer().GlDescription()},
+                                           {"backend", writer.Recorder().BackendName()},
+                                           {"gl", writer.Recorder().GlDescription()},
                                            {"time", session.System().Time()},
                                            {"wall_seconds", watch.Seconds()},
-                                           {"status", session.System().Trouble() ? "unstable" : "ok"}};
+                                           {"status", session.System().Trouble() ? "unstable" : "ok"},
+                                           {"drawing_seconds", writer.Recorder().DrawingSeconds()},
+                                           {"writing_seconds", writer.Recorder().WritingSeconds()}};
     fmt::print("{}\n", report.dump(2));
   } else if (!options.common.quiet) {
     fmt::print("{} frames of {} pixels in {} ({}, {:.1f} s): {} ...\n", writer.Frames(), options.size, options.out,
-               writer.Renderer().BackendName(), watch.Seconds(), FrameFile(options.out, 0).string());
+               writer.Recorder().BackendName(), watch.Seconds(), FrameFile(options.out, 0).string());
   }
   if (const auto& trouble = session.System().Trouble()) {
     fmt::print(stderr, "sphlab: unstable: {}\n", trouble->Message());

@@ -38,6 +38,13 @@ FrameRenderer::~FrameRenderer() {
 
 Image FrameRenderer::Render(const Box& region, Colouring colouring, const std::function<void(Canvas&)>& draw,
                             const FrameText& text) {
+  Image image;
+  Render(region, colouring, draw, text, image);
+  return image;
+}
+
+void FrameRenderer::Render(const Box& region, Colouring colouring, const std::function<void(Canvas&)>& draw,
+                           const FrameText& text, Image& image) {
   State& state = *state_;
   state.context->MakeCurrent();
   state.target.Bind();
@@ -46,7 +53,7 @@ Image FrameRenderer::Render(const Box& region, Colouring colouring, const std::f
   state.renderer.Text().StatusLine(text.status);
   state.renderer.Text().Message(text.message);
   state.renderer.EndFrame();
-  return state.renderer.ReadImage();
+  state.renderer.ReadImage(image);
 }
 
 void FrameRenderer::SetColourRange(std::optional<ColourRange> range) { state_->renderer.SetColourRange(range); }

@@ -30,6 +30,9 @@ class FrameRenderer {
   /// on the canvas that it is given.
   Image Render(const Box& region, Colouring colouring, const std::function<void(Canvas&)>& draw,
                const FrameText& text = {});
+  /// The same into `image`, whose memory is used again.
+  void Render(const Box& region, Colouring colouring, const std::function<void(Canvas&)>& draw, const FrameText& text,
+              Image& image);
 
   void SetColourRange(std::optional<ColourRange> range);
   int Width() const;

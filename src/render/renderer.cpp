@@ -86,16 +86,23 @@ void Renderer::EndFrame() {
 }
 
 Image Renderer::ReadImage() const {
+  Image image;
+  ReadImage(image);
+  return image;
+}
+
+void Renderer::ReadImage(Image& image) const {
   const auto height = static_cast<std::size_t>(state_->view.height);
   const std::size_t row = 3 * static_cast<std::size_t>(state_->view.width);  // [bytes]
-  Image image{state_->view.width, state_->view.height, std::vector<std::uint8_t>(row * height)};
+  image.width = state_->view.width;
+  image.height = state_->view.height;
+  image.rgb.resize(row * height);
   state_->gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
   state_->gl.ReadPixels(0, 0, image.width, image.height, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
   for (std::size_t y = 0; y < height / 2; ++y) {  // OpenGL's first row is the lowest
     std::uint8_t* upper = &image.rgb[row * y];
     std::swap_ranges(upper, upper + row, &image.rgb[row * (height - 1 - y)]);
   }
-  return image;
 }
 
 }  // namespace sph

@@ -51,6 +51,8 @@ class Renderer final : public Canvas {
 
   /// The picture in the framebuffer bound for reading, of the size of the last frame.
   Image ReadImage() const;
+  /// The same into `image`, whose memory is used again.
+  void ReadImage(Image& image) const;
 
  private:
   struct State;

@@ -18,6 +18,8 @@ using CloseDisplay = int (*)(void* connection);
 using GetDefault = char* (*)(void* connection, const char* program, const char* option);
 using GetInputFocus = int (*)(void* connection, unsigned long* window, int* where_it_goes_back_to);
 using SetDetectableAutoRepeat = int (*)(void* connection, int detectable, int* supported);
+using Pending = int (*)(void* connection);
+using ConnectionNumber = int (*)(void* connection);
 using ErrorHandler = int (*)(void* connection, void* error);
 using SetErrorHandler = ErrorHandler (*)(ErrorHandler);
 
@@ -66,6 +68,11 @@ bool Display::ReportRepeatsAsPresses(void* connection) const {
   int supported = 0;
   xlib_.Find<SetDetectableAutoRepeat>("XkbSetDetectableAutoRepeat")(connection, 1, &supported);
   return supported != 0;
+}
+
+bool Display::HasEvents(void* connection) const { return xlib_.Find<Pending>("XPending")(connection) > 0; }
+int Display::Descriptor(void* connection) const {
+  return xlib_.Find<ConnectionNumber>("XConnectionNumber")(connection);
 }
 
 Display::Forgiving::Forgiving(const Display& display)

@@ -27,6 +27,12 @@ class Display {
   /// whom `connection` (an Xlib one) belongs. @return whether the server can do that
   bool ReportRepeatsAsPresses(void* connection) const;
 
+  /// Events that `connection` (an Xlib one) has already read, or can read now: they are to be dealt with before its
+  /// descriptor is waited on.
+  bool HasEvents(void* connection) const;
+  /// Can be read when the server has sent something to `connection`.
+  int Descriptor(void* connection) const;
+
   /// While one of these lives, a request that the server refuses fails without ending the program, as Xlib would have
   /// it.
   class Forgiving {

@@ -27,18 +27,15 @@ namespace sph {
   X(InitWindowSize)           \
   X(KeyboardFuncUcall)        \
   X(KeyboardUpFuncUcall)      \
-  X(LeaveMainLoop)            \
-  X(MainLoop)                 \
-  X(PostRedisplay)            \
+  X(MainLoopEvent)            \
   X(ReshapeFuncUcall)         \
   X(SetOption)                \
   X(SetWindowTitle)           \
   X(SpecialFuncUcall)         \
   X(SpecialUpFuncUcall)       \
-  X(SwapBuffers)              \
-  X(TimerFuncUcall)
+  X(SwapBuffers)
 
-/// glut.MainLoop() is glutMainLoop().
+/// glut.SwapBuffers() is glutSwapBuffers().
 struct GlutFunctions {
 #define SPH_GLUT_MEMBER(name) decltype(&::glut##name) name = nullptr;
   SPH_GLUT_FUNCTIONS(SPH_GLUT_MEMBER)

@@ -19,12 +19,20 @@ int Pace::Advance(Session& session, double elapsed) {
     due_ -= session.System().parameters.time_step;
     const double step_seconds = watch.Seconds() / steps;
     if (watch.Seconds() + step_seconds > budget_) {  // one more would be too much
-      due_ = std::min(due_, 0.0);
+      due_ = std::min(due_, debt_ * session.speed);
       break;
     }
   }
   if (session.System().Trouble()) due_ = 0;
   return steps;
+}
+
+std::chrono::duration<double> Pace::Wait(const Session& session) const {
+  using Seconds = std::chrono::duration<double>;
+  if (session.System().Trouble() || (session.paused && session.single_steps == 0)) return std::chrono::hours(1);
+  const Seconds until_due((session.System().parameters.time_step - due_) / session.speed);
+  constexpr Seconds kLeast(0.001);  // a thread woken more often than that does little else
+  return until_due <= Seconds(0) ? Seconds(0) : std::max(until_due, kLeast);
 }
 
 }  // namespace sph

@@ -1,8 +1,5 @@
 #include "window/screen.hpp"
 
-#include "scenes/build.hpp"
-#include "window/words.hpp"
-
 namespace sph {
 
 Screen::Screen(const GlLoader& loader, const UiScale& ui_scale)
@@ -14,30 +11,24 @@ void Screen::Resize(PixelSize window) {
   camera_.Resize(window, scale);
 }
 
-void Screen::Fit(const Scene& scene) { camera_.Fit(InitialView(scene)); }
-
-/// Begins a frame, and has the system drawn.
-void Screen::Begin(Session& session) {
-  ParticleSystemSPH& system = session.System();
-  const bool shows_field = session.colouring == Colouring::kPressure || session.colouring == Colouring::kDensity;
-  // Particles may have come in, or all be new, since the last step.
-  if (shows_field && system.Density().size() != system.State().Size()) system.ComputeFields();
-  renderer_.BeginFrame(camera_.CurrentView(), session.colouring);
-  system.Draw(renderer_);
+/// Begins a frame, and draws what the system has drawn.
+void Screen::Begin(const Moment& moment) {
+  renderer_.BeginFrame(camera_.CurrentView(), moment.snapshot.WantedColouring());
+  moment.snapshot.DrawOn(renderer_);
 }
 
-void Screen::Draw(Session& session, const Rates& rates, const std::string& message) {
-  Begin(session);
+void Screen::Draw(const Moment& moment, const std::string& message) {
+  Begin(moment);
   TextLayer& text = renderer_.Text();
-  text.StatusLine(StatusLine(session, rates));
-  const std::string standing = StandingMessage(session);
-  text.Message(standing.empty() ? message : standing);
-  if (session.show_help) text.HelpTable(session.CurrentScene().title, HelpRows(session));
+  text.StatusLine(moment.status);
+  text.Message(moment.standing.empty() ? message : moment.standing);
+  if (!moment.help.empty()) text.HelpTable(moment.scene_title, moment.help);
   renderer_.EndFrame();
+  gl_.Finish();
 }
 
-Image Screen::TakePicture(Session& session) {
-  Begin(session);
+Image Screen::TakePicture(const Moment& moment) {
+  Begin(moment);
   renderer_.EndFrame();
   return renderer_.ReadImage();
 }

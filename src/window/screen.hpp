@@ -1,4 +1,4 @@
-// Draws a session into the window: its system, and the words over it.
+// Draws a moment of a session into the window: its system, and the words over it.
 #pragma once
 
 #include <string>
@@ -6,8 +6,7 @@
 #include "io/image.hpp"
 #include "render/renderer.hpp"
 #include "window/camera.hpp"
-#include "window/rate_meter.hpp"
-#include "window/session.hpp"
+#include "window/moment.hpp"
 #include "window/ui_scale.hpp"
 
 namespace sph {
@@ -21,16 +20,16 @@ class Screen {
   Screen& operator=(const Screen&) = delete;
 
   void Resize(PixelSize window);
-  /// Shows this scene whole.
-  void Fit(const Scene& scene);
+  /// Shows this part of the plane [m] whole.
+  void Fit(const Box& content) { camera_.Fit(content); }
 
-  /// The whole frame, into the framebuffer that is bound.
-  void Draw(Session& session, const Rates& rates, const std::string& message);
+  /// The whole frame, into the framebuffer that is bound; returns when it is drawn.
+  void Draw(const Moment& moment, const std::string& message);
   /// The picture without words, except for the legend; the framebuffer holds it afterwards.
-  Image TakePicture(Session& session);
+  Image TakePicture(const Moment& moment);
 
  private:
-  void Begin(Session& session);
+  void Begin(const Moment& moment);
 
   GlFunctions gl_;
   UiScale ui_scale_;

@@ -9,26 +9,26 @@
 #include <filesystem>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "base/clock.hpp"
 #include "base/library.hpp"
+#include "base/memory.hpp"
 #include "io/png.hpp"
-#include "scenes/build.hpp"
+#include "window/bell.hpp"
 #include "window/controls.hpp"
 #include "window/display.hpp"
 #include "window/glut_library.hpp"
 #include "window/key_names.hpp"
 #include "window/message_board.hpp"
-#include "window/pace.hpp"
 #include "window/picture_name.hpp"
 #include "window/screen.hpp"
-#include "window/words.hpp"
+#include "window/simulation.hpp"
 
 namespace sph {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;    // [s]
-constexpr double kStepBudget = 0.012;  // [s] of a frame; the rest is for drawing
+constexpr double kFrame = 1.0 / 60;  // [s]
 
 /// freeglut calls this instead of ending the program; it passes the exception on, as its frames have unwind tables.
 void RefuseGlutError(const char* format, va_list arguments) {
@@ -38,11 +38,12 @@ void RefuseGlutError(const char* format, va_list arguments) {
                      text.data());
 }
 
-/// freeglut's callbacks; it owns window and context. What must be deleted while the context is current is in `screen_`.
+/// Draws what the simulation, in its own thread, was last, and hands keys over to it. freeglut owns window and context;
+/// what must be deleted while the context is current is in `screen_`.
 class Window {
  public:
   Window(const SceneRequest& request, std::function<bool()> interrupted)
-      : session_(request),
+      : simulation_(request, [this] { bell_.Ring(); }),
         interrupted_(std::move(interrupted)),
         display_(
             fmt::format("Without one, `sphlab render {} --out frames` draws the scene to PNG files.", request.scene)),
@@ -52,8 +53,12 @@ class Window {
   ExitCode Run() {
     Open();
     ListenToKeys();
-    ArmTimer();
-    glut_.MainLoop();
+    simulation_.Start();
+    while (screen_) {
+      glut_.MainLoopEvent();
+      Guard(this, [](Window& self) { self.TakeTurn(); });
+    }
+    glut_.Exit();
     if (failure_) std::rethrow_exception(failure_);
     return exit_code_;
   }
@@ -61,17 +66,20 @@ class Window {
  private:
   void Open();
   void ListenToKeys();
-  void ArmTimer();
+
+  // Between events.
+  void TakeTurn();
+  void TakeNews();
+  void Draw();
+  void Ask();
+  void Wait();
 
   // What the callbacks do.
   void Resize(PixelSize window);
-  void Tick();
-  void Draw();
   void Press(const std::string& key);
   void Release(const std::string& key);
 
   void ReleaseLostKeys();
-  void ShowMessage();
   void FollowScene();
   void SavePicture();
   void Close();
@@ -88,23 +96,27 @@ class Window {
     }
   }
 
-  Session session_;
+  Bell bell_;
+  Simulation simulation_;
   std::function<bool()> interrupted_;
   Display display_;
   UiScale ui_scale_;
   GlutFunctions glut_;
   std::unique_ptr<Screen> screen_;
 
-  Pace pace_{kStepBudget};
-  RateMeter meter_;
   MessageBoard board_;
   std::set<std::string> held_;  // keys that are down
   unsigned long focus_ = 0;     // the window that got the first of them
+  void* connection_ = nullptr;  // freeglut's, to the X server
   Stopwatch clock_;
-  double last_tick_ = 0;  // [s] on clock_
-  double next_tick_ = 0;
+  bool is_stale_ = true;  // the window shows something else than it should
+  bool has_asked_ = false;
+  double asked_at_ = 0;  // [s] on clock_
+  double next_ask_ = 0;
   std::string shown_message_;
-  const ParticleSystemSPH* shown_system_ = nullptr;
+  long shown_scene_ = 0;  // numbers of the moment that was taken last
+  long presses_ = 0;
+  long saves_ = 0;
   std::exception_ptr failure_;
   ExitCode exit_code_ = ExitCode::kDone;
 };
@@ -120,11 +132,11 @@ void Window::Open() {
   glut_.InitContextProfile(GLUT_CORE_PROFILE);
   glut_.InitDisplayMode(GLUT_RGBA | GLUT_DOUBLE);
   const PixelSize screen{glut_.Get(GLUT_SCREEN_WIDTH), glut_.Get(GLUT_SCREEN_HEIGHT)};
-  const PixelSize size = FirstWindowSize(InitialView(session_.CurrentScene()), screen, ui_scale_.For(1, 1));
+  const PixelSize size = FirstWindowSize(simulation_.Now().content, screen, ui_scale_.For(1, 1));
   glut_.InitWindowSize(size.width, size.height);
   {
     const Display::Forgiving without_ending_the_program(display_);  // but with RefuseGlutError
-    glut_.CreateWindow(WindowTitle(session_).c_str());
+    glut_.CreateWindow(simulation_.Now().window_title.c_str());
   }
   try {
     screen_ = std::make_unique<Screen>(
@@ -135,12 +147,12 @@ void Window::Open() {
   }
   Resize(size);
   FollowScene();
-  board_.Show(session_.CurrentScene().title + "\nh shows what the keys do", clock_.Seconds());
+  board_.Show(simulation_.Now().scene_title + "\nh shows what the keys do", clock_.Seconds());
   glut_.ReshapeFuncUcall(
       [](int width, int height, void* w) { Guard(w, [&](Window& s) {
                                              s.Resize({width, height});
                                            }); }, this);
-  glut_.DisplayFuncUcall([](void* w) { Guard(w, [](Window& s) { s.Draw(); }); }, this);
+  glut_.DisplayFuncUcall([](void* w) { Guard(w, [](Window& s) { s.is_stale_ = true; }); }, this);
   glut_.CloseFuncUcall([](void* w) { Guard(w, [](Window& s) { s.Close(); }); }, this);
 }
 
@@ -148,7 +160,8 @@ void Window::ListenToKeys() {
   // A key that is held is pressed once. freeglut, told to ignore repeats, asks whether the key is down now; in a slow
   // frame it would take two quick taps for one. So the server marks repeats, and Press knows what is down.
   const auto glut_connection = reinterpret_cast<void* (*)()>(glut_.GetProcAddress("glXGetCurrentDisplay"));
-  const bool marked = glut_connection != nullptr && display_.ReportRepeatsAsPresses(glut_connection());
+  if (glut_connection != nullptr) connection_ = glut_connection();
+  const bool marked = connection_ != nullptr && display_.ReportRepeatsAsPresses(connection_);
   glut_.IgnoreKeyRepeat(marked ? 0 : 1);
   glut_.KeyboardFuncUcall(
       [](unsigned char code, int, int, void* w) { Guard(w, [&](Window& s) { s.Press(NameOfKey(code)); }); }, this);
@@ -160,22 +173,13 @@ void Window::ListenToKeys() {
       [](int code, int, int, void* w) { Guard(w, [&](Window& s) { s.Release(NameOfSpecialKey(code)); }); }, this);
 }
 
-/// The next tick is a frame after the last one was due; at once, events in between, if that is over.
-void Window::ArmTimer() {
-  const double now = clock_.Seconds();
-  next_tick_ = std::max(next_tick_ + kFrame, now);
-  const auto wait_ms = static_cast<unsigned>(1000 * (next_tick_ - now));
-  glut_.TimerFuncUcall(
-      wait_ms, [](int, void* w) { Guard(w, [](Window& s) { s.Tick(); }); }, 0, this);
-}
-
 void Window::Resize(PixelSize window) {
   if (!screen_) return;
   screen_->Resize(window);
-  glut_.PostRedisplay();
+  is_stale_ = true;
 }
 
-void Window::Tick() {
+void Window::TakeTurn() {
   if (!screen_) return;
   if (interrupted_ && interrupted_()) {
     exit_code_ = ExitCode::kInterrupted;
@@ -183,38 +187,62 @@ void Window::Tick() {
     return;
   }
   ReleaseLostKeys();
-  const double now = clock_.Seconds();
-  const int steps = pace_.Advance(session_, now - last_tick_);
-  last_tick_ = now;
-  meter_.CountSteps(steps);
-  const bool runs = !session_.paused && !session_.System().Trouble();
-  if (runs || steps > 0 || board_.Read(now) != shown_message_) glut_.PostRedisplay();
-  ArmTimer();
+  TakeNews();
+  if (!screen_) return;
+  // A frame without what the last key does would only delay the one with it.
+  if (simulation_.IsUpToDate() && (is_stale_ || board_.Read(clock_.Seconds()) != shown_message_)) Draw();
+  Ask();
+  Wait();
 }
 
+void Window::TakeNews() {
+  if (!simulation_.Take()) return;
+  has_asked_ = false;
+  is_stale_ = true;
+  const Moment& moment = simulation_.Now();
+  if (moment.quit) {
+    Close();
+    return;
+  }
+  FollowScene();
+  if (std::exchange(presses_, moment.presses) != moment.presses) board_.Show(moment.message, clock_.Seconds());
+  if (std::exchange(saves_, moment.saves) != moment.saves) SavePicture();
+}
+
+/// Draws, and leaves the processors to the simulation for as long as that took before it asks for another moment: where
+/// they are what draws, a frame of many particles takes all of them. What keys do is drawn at once all the same.
 void Window::Draw() {
-  if (!screen_) return;
-  if (session_.save_requested) SavePicture();
-  const double now = clock_.Seconds();
-  shown_message_ = board_.Read(now);
-  screen_->Draw(session_, meter_.Read(now, session_.System().Time()), shown_message_);
+  const double start = clock_.Seconds();
+  shown_message_ = board_.Read(start);
+  screen_->Draw(simulation_.Now(), shown_message_);
+  const double drawn = clock_.Seconds();
   glut_.SwapBuffers();
-  meter_.CountFrame();
+  simulation_.NoteShown(drawn - start);
+  is_stale_ = false;
+  next_ask_ = std::max(asked_at_ + kFrame, drawn + (drawn - start));
+}
+
+/// Asks for the next moment when a frame is due.
+void Window::Ask() {
+  const double now = clock_.Seconds();
+  if (has_asked_ || now < next_ask_) return;
+  has_asked_ = true;
+  asked_at_ = std::max(next_ask_, now - kFrame);  // a little late is no reason for fewer frames
+  simulation_.AskForNews();
+}
+
+/// Until there is an event, news, or something to look after: keys, messages, an interrupt.
+void Window::Wait() {
+  if (connection_ != nullptr && display_.HasEvents(connection_)) return;
+  const double until_ask = has_asked_ ? kFrame : std::min(kFrame, next_ask_ - clock_.Seconds());
+  bell_.Wait(connection_ != nullptr ? display_.Descriptor(connection_) : -1, until_ask);
 }
 
 void Window::Press(const std::string& key) {
   if (key.empty() || !screen_) return;
   if (held_.empty()) focus_ = display_.Focus();
   if (!held_.insert(key).second) return;  // a repeat
-  board_.Show({}, clock_.Seconds());
-  PressKey(session_, key);
-  if (session_.quit_requested) {
-    Close();
-    return;
-  }
-  ShowMessage();
-  FollowScene();
-  glut_.PostRedisplay();
+  simulation_.Press(key);
 }
 
 void Window::Release(const std::string& key) {
@@ -229,57 +257,50 @@ void Window::Release(const std::string& key) {
     return;
   }
   if (!acts_while_held(key)) return;
-  ReleaseKey(session_, key);
+  simulation_.Release(key);
   for (const std::string& other : held_) {
-    if (acts_while_held(other)) PressKey(session_, other);  // of two arrows, the one still held goes on
+    if (acts_while_held(other)) simulation_.Press(other);  // of two arrows, the one still held goes on
   }
 }
 
 /// Keys that are down when another window gets the keys are let go there: here nobody hears of it.
 void Window::ReleaseLostKeys() {
   if (held_.empty() || display_.Focus() == focus_) return;
-  for (const std::string& key : held_) ReleaseKey(session_, key);
+  for (const std::string& key : held_) simulation_.Release(key);
   held_.clear();
-}
-
-/// Takes what the session has to say to the message line.
-void Window::ShowMessage() {
-  if (session_.message.empty()) return;
-  board_.Show(std::move(session_.message), clock_.Seconds());
-  session_.message.clear();
 }
 
 /// Shows another scene whole, under its own title.
 void Window::FollowScene() {
-  if (shown_system_ == &session_.System()) return;
-  shown_system_ = &session_.System();
-  screen_->Fit(session_.CurrentScene());
-  glut_.SetWindowTitle(WindowTitle(session_).c_str());
+  const Moment& moment = simulation_.Now();
+  if (std::exchange(shown_scene_, moment.scene_number) == moment.scene_number) return;
+  screen_->Fit(moment.content);
+  glut_.SetWindowTitle(moment.window_title.c_str());
 }
 
 void Window::SavePicture() {
-  session_.save_requested = false;
+  std::string message;
   try {
-    const auto file = NextPictureName(std::filesystem::current_path(), session_.CurrentScene().name);
-    WritePng(file, screen_->TakePicture(session_));
-    session_.message = "saved " + file.string();
+    const auto file = NextPictureName(std::filesystem::current_path(), simulation_.Now().scene_name);
+    WritePng(file, screen_->TakePicture(simulation_.Now()));
+    message = "saved " + file.string();
   } catch (const std::exception& error) {
-    session_.message = error.what();  // a full disk is no reason to end the simulation
+    message = error.what();  // a full disk is no reason to end the simulation
   }
-  ShowMessage();
+  board_.Show(std::move(message), clock_.Seconds());
 }
 
-/// Deletes what needs the context, which is current in every callback, and has the main loop return.
+/// Deletes what needs the context, which is current in every callback and between them; Run then returns.
 void Window::Close() {
   if (!screen_) return;
   screen_.reset();
   KeepLoadedLibraries();
-  glut_.LeaveMainLoop();
 }
 
 }  // namespace
 
 ExitCode RunWindow(const SceneRequest& request, const std::function<bool()>& interrupted) {
+  KeepFreedMemory();
   return Window(request, interrupted).Run();
 }
 

@@ -50,6 +50,7 @@ TEST(Render, WritesFramesOfTheirNumberNamesAndSize) {
   EXPECT_EQ(report["backend"], "osmesa");
   EXPECT_EQ(report["status"], "ok");
   EXPECT_NEAR(report["time"].get<double>(), 0.04, 1e-9);
+  for (const char* thread : {"drawing_seconds", "writing_seconds"}) EXPECT_GT(report[thread].get<double>(), 0);
 }
 
 TEST(Render, EndsWhereFramesOrTimeEndWhicheverComesFirst) {
@@ -70,6 +71,18 @@ TEST(Render, SavesOneMorePictureForTheKeyS) {
   Render(scratch.Path(), {"dam-break", "--frames", "2", "--fps", "10", "--size", "60x60", "--keys", "0.02:s"});
   EXPECT_EQ(Names(scratch.Path()),
             (std::vector<std::string>{"frame_000000.png", "frame_000001.png", "saved_000001.png"}));
+}
+
+TEST(Render, EndsWithAMessageWhenItsFolderGoesAway) {
+  const ScratchDirectory scratch;
+  const fs::path out = scratch.Path() / "out";
+  Program program({"render", "--out", out, "--until", "1e6", "--size", "60x60", "--keys", "0.1:c", "--json"});
+  ASSERT_TRUE(program.Says("colouring"));
+  fs::rename(out, scratch.Path() / "elsewhere");
+  const Outcome outcome = program.Wait();
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("cannot write " + (out / "frame_").string()), std::string::npos) << outcome.err;
 }
 
 TEST(Render, OfAnUnstableSceneWritesNoFrameOfItAndExitsWithThree) {

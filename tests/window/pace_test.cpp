@@ -47,6 +47,31 @@ TEST(Pace, GivesUpTimeThatItCannotMakeUpFor) {
   EXPECT_EQ(pace.Advance(session, 0.5 * dt), 0);
 }
 
+TEST(Pace, MakesUpLaterForAsMuchAsItsDebtAllows) {
+  Session session = SessionOf("dam-break");
+  const double dt = session.System().parameters.time_step;
+  session.speed = 2;
+  Pace pace(0, 5 * dt);
+  EXPECT_EQ(pace.Advance(session, 100), 1);
+  int later = 0;
+  while (pace.Advance(session, 0) > 0) ++later;
+  EXPECT_NEAR(later, 10, 1) << "so much simulated time goes by in that wall time";
+}
+
+TEST(Pace, WaitsUntilAStepIsDue) {
+  Session session = SessionOf("dam-break");
+  const double dt = session.System().parameters.time_step;
+  Pace pace(kPlenty);
+  pace.Advance(session, 0.25 * dt);
+  EXPECT_NEAR(pace.Wait(session).count(), 0.75 * dt, 1e-9);
+  session.speed = 0.5;
+  EXPECT_NEAR(pace.Wait(session).count(), 1.5 * dt, 1e-9);
+  session.paused = true;
+  EXPECT_GT(pace.Wait(session).count(), 1000);
+  Type(session, ".");
+  EXPECT_LT(pace.Wait(session).count(), 1);
+}
+
 TEST(Pace, BoundsTheWorkOfAFrame) {
   Session session = SessionOf("dam-break", 1000);
   constexpr double kBudget = 0.02;  // [s]
