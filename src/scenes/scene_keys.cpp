@@ -150,6 +150,8 @@ std::span<const SceneKey> AllSceneKeys() {
        [](S& s, const V& v) { s.sph.delta.shifting = v.AsChoice(kSwitch) == 1; }},
       {"method.sharp_gradient", "of pressure, to fourth order; solver delta, liquids without a surface", kStart, false,
        [](S& s, const V& v) { s.sph.delta.sharp_gradient = v.AsChoice(kSwitch) == 1; }},
+      {"method.tensile_control", "particles do not pull at each other; solver delta, liquids", kStart, false,
+       [](S& s, const V& v) { s.sph.delta.tensile_control = v.AsChoice(kSwitch) == 1; }},
       {"method.form", "solver mueller: right in the plane, or as first published", kStart, false,
        [](S& s, const V& v) { s.sph.mueller_published = v.AsChoice(kForms) == 1; }},
 

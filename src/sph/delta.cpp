@@ -113,7 +113,8 @@ WaterInput<Real> Delta::WaterOf(const Arrays<Real>& arrays) const {
           .viscosity = parameters_sph.viscosity,
           .artificial = delta.artificial_viscosity * h_c * Rho0(),
           .spacing = InitialSpacing(),
-          .sharp_gradient = delta.sharp_gradient};
+          .sharp_gradient = delta.sharp_gradient,
+          .tensile_control = delta.tensile_control};
 }
 
 /// From the last step's time to this one's, by the rates halfway between.

@@ -6,6 +6,8 @@
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
 
+#include <limits>
+
 #include "sph/cluster_pairs-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -152,6 +154,7 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
   const auto brake_factor = set(water.artificial * slope / unit);
   const double support = pairs.Support();
   const auto flat = set(Kernel<decltype(d)>::kFlat), fall = set(Kernel<decltype(d)>::kFall / (support * support));
+  const auto least_inside = set(water.tensile_control ? kInside : std::numeric_limits<double>::infinity());
   const auto push_flat = water.sharp_gradient ? flat : one, push_fall = water.sharp_gradient ? fall : hn::Zero(d);
   const bool refine = block.coarse;
   Refinement<Real> refinement(input, pairs, block);
@@ -160,7 +163,7 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
     const auto own = [&](const Real* values) HWY_ATTR { return hn::LoadU(d, values + cluster.first); };
     const auto excess = own(water.excess), wholeness = own(water.wholeness), pressure = own(water.pressure);
     const auto vx = own(water.vx), vy = own(water.vy);
-    const auto pulls = hn::And(hn::Lt(pressure, hn::Zero(d)), hn::Gt(wholeness, set(kInside)));
+    const auto pulls = hn::And(hn::Lt(pressure, hn::Zero(d)), hn::Gt(wholeness, least_inside));
     const auto own_pressure = hn::IfThenElse(pulls, hn::Neg(pressure), pressure);
     auto push_x = hn::Zero(d), push_y = hn::Zero(d), drag_x = hn::Zero(d), drag_y = hn::Zero(d);
     auto brake_x = hn::Zero(d), brake_y = hn::Zero(d);

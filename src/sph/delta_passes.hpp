@@ -33,6 +33,7 @@ struct WaterInput {
   double artificial = 0;            ///< alpha h c rho0 [Pa s]
   double spacing = 0;               ///< [m]
   bool sharp_gradient = false;      ///< of pressure: weights of fourth order
+  bool tensile_control = true;      ///< minus in the force below, for p_i < 0 away from a surface
 };
 
 /// drho_i/dt = rho_i sum_j V_j (u_i - u_j).grad W + delta h c sum_j V_j psi_ij.grad W,

@@ -23,6 +23,7 @@ struct DeltaParameters {
   double diffusion = 0.1;           ///< delta, of density in a liquid
   double artificial_viscosity = 0;  ///< alpha, in a liquid
   bool shifting = true;             ///< of the particles of a liquid
+  bool tensile_control = true;      ///< particles of a liquid do not pull at each other; this costs conservation
   /// Of pressure in a liquid, to fourth order where particles fill the support. It is not the divergence's adjoint, so
   /// that at a free surface energy is not kept.
   bool sharp_gradient = false;

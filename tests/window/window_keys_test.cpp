@@ -170,7 +170,7 @@ TEST(WindowKeys, BracketsAndDigitsChangeTheSceneAndTheTitle) {
   EXPECT_TRUE(Eventually([&] { return window.Title() != "sphlab: dam-break"; }));
   window.Press("bracketleft");
   EXPECT_TRUE(Eventually([&] { return window.Title() == "sphlab: dam-break"; }));
-  window.Press("2");
+  window.Press("1");
   EXPECT_TRUE(Eventually([&] { return window.Title() != "sphlab: dam-break"; }));
 }
 
