@@ -11,7 +11,7 @@
 #include "io/output_directory.hpp"
 #include "io/png.hpp"
 #include "io/whole_file.hpp"
-#include "lab/skips.hpp"
+#include "lab/skips_report.hpp"
 #include "lab/speed_report.hpp"
 
 namespace sph {
@@ -68,12 +68,14 @@ bool WriteSpeeds(const std::filesystem::path& out, bool quick, const std::string
 
 /// The table of what leaving out saves; false if it was interrupted.
 bool WriteSkips(const std::filesystem::path& out, bool quick, const std::string& machine) {
+  const std::size_t particles = quick ? 10'000 : 100'000;
+  const int repetitions = quick ? 3 : 9;
   fmt::print("\n");
   Protocol table(machine + SkipsTableHead());
   std::vector<SkipResult> results;
-  for (const auto& make : SkipComparisons(quick)) {
+  for (const auto& make : SkipComparisons(particles)) {
     if (Interrupted()) return false;
-    results.push_back(Measure(make(), SkipRepetitions(quick)));
+    results.push_back(Measure(make(), repetitions));
     table.Add(SkipsTableRow(results.back()));
   }
   WriteWholeFile(out / "skips.csv", SkipsAsCsv(results));

@@ -65,16 +65,11 @@ class ScalarTwin {
     return density_[i];
   }
 
-  struct Sum {
-    Vec2 value;
-    double magnitudes = 0;  // of its terms
-  };
-  Sum Acceleration(std::size_t i) {
-    Sum sum{system_.parameters.gravity, Length(system_.parameters.gravity)};
+  Vec2 Acceleration(std::size_t i) {
+    Vec2 sum = system_.parameters.gravity;
     ForEachNeighbour(i, [&](std::size_t j, Vec2 apart, double r) {
       const double push = -system_.State().mass[j] * (Term(i) + Term(j)) * kernel_.Gradient(r);
-      sum.value = sum.value + push * apart;
-      sum.magnitudes += std::abs(push) * r;
+      sum = sum + push * apart;
     });
     return sum;
   }
@@ -114,11 +109,11 @@ FieldErrors ErrorsAgainstScalarTwin(const ParticleSystemSPH& system, std::size_t
   FieldErrors greatest;
   FieldErrors errors;
   for (std::size_t i = 0; i < p.Size(); i += stride) {
-    const auto acceleration = twin.Acceleration(i);
+    const Vec2 acceleration = twin.Acceleration(i);
     greatest.density = std::max(greatest.density, twin.Density(i));
-    greatest.acceleration = std::max(greatest.acceleration, acceleration.magnitudes);
+    greatest.acceleration = std::max(greatest.acceleration, Length(acceleration));
     errors.density = std::max(errors.density, std::abs(density[i] - twin.Density(i)));
-    errors.acceleration = std::max(errors.acceleration, Length(Vec2{p.ax[i], p.ay[i]} - acceleration.value));
+    errors.acceleration = std::max(errors.acceleration, Length(Vec2{p.ax[i], p.ay[i]} - acceleration));
   }
   return {errors.density / greatest.density, errors.acceleration / greatest.acceleration};
 }

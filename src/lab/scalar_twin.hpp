@@ -5,10 +5,11 @@
 
 namespace sph {
 
+/// Greatest difference over greatest value. In water nearly at rest that is severe on accelerations: P = k
+/// ((rho/rho0)^7
+/// - 1) is a hundredth of rho c^2 or less, and what P of one side leaves of that of the other a part of g.
 struct FieldErrors {
-  double density = 0;  ///< greatest difference over greatest density
-  /// Greatest difference over the greatest sum of |terms|: what the terms leave in a fluid at rest is as small as one
-  /// likes.
+  double density = 0;
   double acceleration = 0;
 };
 

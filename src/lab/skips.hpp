@@ -3,13 +3,15 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "lab/speed.hpp"
 
 namespace sph {
+
+/// The usual unit.
+constexpr const char* kNsOfAStep = "ns per particle and step";
 
 /// One of the two runs of a comparison.
 struct Arm {
@@ -45,15 +47,7 @@ struct SkipResult {
 SkipResult Measure(const Comparison& comparison, int repetitions);
 
 /// The comparisons in their order; each makes its systems when it is called. Float, one thread, the best instruction
-/// set, tanks of a hundred thousand particles or, `quick`, of ten thousand.
-std::vector<std::function<Comparison()>> SkipComparisons(bool quick);
-
-/// Of one comparison in the whole benchmark, or in a short one.
-int SkipRepetitions(bool quick);
-
-/// The first line has the column names.
-std::string SkipsAsCsv(std::span<const SkipResult> results);
-std::string SkipsTableHead();
-std::string SkipsTableRow(const SkipResult& result);
+/// set; in tanks of n particles, those of walls in tanks of n/10, and the time step's in the dam break.
+std::vector<std::function<Comparison()>> SkipComparisons(std::size_t n);
 
 }  // namespace sph

@@ -61,13 +61,12 @@ void Repeat(ParticleSystemSPH& system, long steps, Measurement& measurement) {
   }
 }
 
-/// A twentieth of a second or more, and at least one life of the lists. The column's repetitions share half a time
+/// At least one life of the lists. The column's repetitions share half a time
 /// scale.
 long StepsOfARepetition(const ParticleSystemSPH& system, const SpeedCase& of) {
-  constexpr double kParticleSteps = 1e6;
   constexpr long kFewest = 8;
   const double n = static_cast<double>(system.State().Size());
-  const double tank = kParticleSteps / n;
+  const double tank = of.particle_steps / n;
   const double column = 0.5 * TimeScale() / system.parameters.time_step / kRepetitions;
   const double steps = of.flow == Flow::kTank ? tank : column / static_cast<double>(of.threads.size());
   return std::max(kFewest, std::lround(steps));

@@ -98,18 +98,21 @@ Plot SpeedPlot(std::span<const SpeedResult> results) {
   for (const SpeedResult& r : results) {
     if (std::find(sets.begin(), sets.end(), r.instruction_set) == sets.end()) sets.push_back(r.instruction_set);
   }
-  const auto add = [&](Precision precision, const std::string& set, int threads) {
+  const auto curve = [&](Precision precision, const std::string& set, int threads, std::size_t colour) {
     const auto name = fmt::format("{}, {}, {} thread{}", NameOf(precision), set, threads, threads == 1 ? "" : "s");
-    plot.series.push_back(CurveOf(results, name, [&](const SpeedResult& r) {
+    Series series = CurveOf(results, name, [&](const SpeedResult& r) {
       return r.precision == precision && r.instruction_set == set && r.threads == threads;
-    }));
+    });
+    series.colour = kPalette[colour];
+    return series;
   };
-  add(Precision::kFloat, sets.back(), 2);
-  for (auto set = sets.rbegin(); set != sets.rend(); ++set) add(Precision::kFloat, *set, 1);
-  add(Precision::kDouble, sets.back(), 1);
-  for (std::size_t k = 0; k < plot.series.size(); ++k) plot.series[k].colour = kPalette[k];
-  plot.series.push_back(LimitOf(results, Precision::kFloat, kPalette[1]));
-  plot.series.push_back(LimitOf(results, Precision::kDouble, kPalette[sets.size() + 1]));
+  const std::string& best = sets.back();
+  plot.series = {LimitOf(results, Precision::kFloat, kPalette[1]), LimitOf(results, Precision::kDouble, kPalette[4]),
+                 curve(Precision::kFloat, best, 2, 0), curve(Precision::kFloat, best, 1, 1)};
+  for (std::size_t k = 2; k <= sets.size(); ++k) {
+    plot.series.push_back(curve(Precision::kFloat, sets[sets.size() - k], 1, k));
+  }
+  plot.series.push_back(curve(Precision::kDouble, best, 1, 4));
   return plot;
 }
 
