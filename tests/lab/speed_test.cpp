@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <set>
 
 #include "base/instruction_set.hpp"
+#include "lab/skips_report.hpp"
 #include "lab/speed_report.hpp"
 #include "particles/diagnostics.hpp"
 #include "scenes/build.hpp"
@@ -180,6 +182,15 @@ TEST(SpeedCsv, HasAValueForEveryColumn) {
   for (const char* column : {"least [ns]", "greatest [ns]", "limit [ns]", "neighbours", "memory [bytes]",
                              "density_error", "particle_steps_per_second [1/s]"}) {
     EXPECT_NE(csv.substr(0, csv.find('\n')).find(column), std::string::npos) << column;
+  }
+}
+
+TEST(SpeedCsv, OfThisRepositoryIsOfThisProgram) {
+  for (const auto& [file, columns] : {std::pair{"speed.csv", SpeedAsCsv({})}, {"skips.csv", SkipsAsCsv({})}}) {
+    std::ifstream csv(std::string(SPHLAB_SOURCE_DIR "/assets/bench/") + file);
+    std::string head;
+    EXPECT_TRUE(std::getline(csv, head)) << file;
+    EXPECT_EQ(head + "\n", columns) << file << " is to be measured anew";
   }
 }
 
