@@ -19,9 +19,8 @@ struct VectorRates {
 };
 VectorRates MeasureVectorRates();
 
-/// Arithmetic operations on vectors that one vector of neighbours needs, counted from cluster_passes.cpp and
-/// kernel_lanes-inl.hpp. A fused multiply-add is one; broadcasting what belongs to neighbour j is a load and is not
-/// counted.
+/// Arithmetic operations on vectors that one vector of neighbours needs, counted from the passes and kernels on vectors
+/// in src/sph. A fused multiply-add is one; broadcasting what belongs to neighbour j is a load and is not counted.
 ///
 ///                                                            float  double
 ///     x_i - x_j, y_i - y_j; float converts them from fixed point  4       2
