@@ -3,6 +3,8 @@
 #include <fmt/chrono.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -26,11 +28,22 @@ std::string Processor() {
   return "unknown processor";
 }
 
-/// Processor, compiler, flags and date.
+/// The settings of OpenMP in the environment, as a line; empty if there are none.
+std::string ThreadSettings() {
+  std::string settings;
+  for (const char* name : {"OMP_WAIT_POLICY", "OMP_PROC_BIND", "OMP_PLACES"}) {
+    if (const char* value = std::getenv(name))
+      settings += fmt::format("{}{}={}", settings.empty() ? "" : " ", name, value);
+  }
+  return settings.empty() ? "" : settings + "\n";
+}
+
+/// Processor, compiler, flags, settings of threads, and date.
 std::string DescribeMachine() {
   const std::time_t now = std::time(nullptr);
-  return fmt::format("{}, {} processors\ncompiled by {} {} with {}\n{:%Y-%m-%d}\n\n", Processor(),
-                     std::thread::hardware_concurrency(), SPHLAB_COMPILER, __VERSION__, SPHLAB_FLAGS, fmt::gmtime(now));
+  return fmt::format("{}, {} processors\ncompiled by {} {} with {}\n{}{:%Y-%m-%d}\n\n", Processor(),
+                     std::thread::hardware_concurrency(), SPHLAB_COMPILER, __VERSION__, SPHLAB_FLAGS, ThreadSettings(),
+                     fmt::gmtime(now));
 }
 
 /// A table that is seen while it grows.

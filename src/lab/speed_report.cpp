@@ -92,7 +92,7 @@ Plot SpeedPlot(std::span<const SpeedResult> results) {
   Plot plot;
   plot.title = "Water nearly at rest, 20 neighbours: speed of the whole step";
   plot.x = {"particles", Scale::kLog};
-  plot.y = {"million particles x steps / s", Scale::kLog};
+  plot.y = {"million particle-steps per second", Scale::kLog};
   if (results.empty()) return plot;
   std::vector<std::string> sets;  // as measured, the best one last
   for (const SpeedResult& r : results) {
