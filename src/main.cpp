@@ -139,7 +139,8 @@ class CommandLine {
     CLI::App* command =
         Add("bench", "what a particle and step costs, and with which error", [this] { return BenchSpeed(bench_); });
     command->add_option("CASE", bench_case_, "speed")->check(CLI::IsMember({"speed"}))->capture_default_str();
-    command->add_option("--out", bench_.out, "folder of speed.csv, speed.txt and speed.png")->required();
+    command->add_option("--out", bench_.out, "folder of speed.csv, speed.txt, speed.png, skips.csv, skips.txt")
+        ->required();
     command->add_flag("--quick", bench_.quick, "small systems only");
   }
 

@@ -1,13 +1,20 @@
 #include "commands/bench.hpp"
 
+#include <fmt/chrono.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "commands/interrupt.hpp"
 #include "io/output_directory.hpp"
 #include "io/png.hpp"
 #include "io/whole_file.hpp"
-#include "lab/speed.hpp"
+#include "lab/skips_report.hpp"
+#include "lab/speed_report.hpp"
 
 namespace sph {
 namespace {
@@ -21,35 +28,83 @@ std::string Processor() {
   return "unknown processor";
 }
 
+/// The settings of OpenMP in the environment, as a line; empty if there are none.
+std::string ThreadSettings() {
+  std::string settings;
+  for (const char* name : {"OMP_WAIT_POLICY", "OMP_PROC_BIND", "OMP_PLACES"}) {
+    if (const char* value = std::getenv(name))
+      settings += fmt::format("{}{}={}", settings.empty() ? "" : " ", name, value);
+  }
+  return settings.empty() ? "" : settings + "\n";
+}
+
+/// Processor, compiler, flags, settings of threads, and date.
+std::string DescribeMachine() {
+  const std::time_t now = std::time(nullptr);
+  return fmt::format("{}, {} processors\ncompiled by {} {} with {}\n{}{:%Y-%m-%d}\n\n", Processor(),
+                     std::thread::hardware_concurrency(), SPHLAB_COMPILER, __VERSION__, SPHLAB_FLAGS, ThreadSettings(),
+                     fmt::gmtime(now));
+}
+
+/// A table that is seen while it grows.
+class Protocol {
+ public:
+  explicit Protocol(const std::string& head) { Add(head); }
+  void Add(const std::string& text) {
+    fmt::print("{}", text);
+    std::fflush(stdout);
+    text_ += text;
+  }
+  const std::string& Text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// The table of run times; false if it was interrupted.
+bool WriteSpeeds(const std::filesystem::path& out, bool quick, const std::string& machine) {
+  const VectorRates rates = MeasureVectorRates();
+  Protocol table(machine + DescribeLimit(rates) + "\n" + SpeedTableHead());
+  std::vector<SpeedResult> results;
+  for (const SpeedCase& of : SpeedCases(quick)) {
+    if (Interrupted()) return false;
+    for (const SpeedResult& result : MeasureSpeed(of, rates)) {
+      table.Add(SpeedTableRow(result));
+      results.push_back(result);
+    }
+  }
+  WriteWholeFile(out / "speed.csv", SpeedAsCsv(results));
+  WriteWholeFile(out / "speed.txt", table.Text());
+  WritePng(out / "speed.png", Draw(SpeedPlot(results)));
+  return true;
+}
+
+/// The table of what leaving out saves; false if it was interrupted.
+bool WriteSkips(const std::filesystem::path& out, bool quick, const std::string& machine) {
+  const std::size_t particles = quick ? 10'000 : 100'000;
+  const int repetitions = quick ? 3 : 9;
+  fmt::print("\n");
+  Protocol table(machine + SkipsTableHead());
+  std::vector<SkipResult> results;
+  for (const auto& make : SkipComparisons(particles)) {
+    if (Interrupted()) return false;
+    results.push_back(Measure(make(), repetitions));
+    table.Add(SkipsTableRow(results.back()));
+  }
+  WriteWholeFile(out / "skips.csv", SkipsAsCsv(results));
+  WriteWholeFile(out / "skips.txt", table.Text());
+  return true;
+}
+
 }  // namespace
 
 ExitCode BenchSpeed(const BenchOptions& options) {
   CatchInterrupts();
   PrepareOutputDirectory(options.out);
-  std::vector<SpeedResult> results;
-  const std::string head =
-      fmt::format("{:>9} {:>7} {:>6} {:>8} {:>5} {:>8} {:>8} {:>8} {:>7} {:>6} {:>9} {:>9}\n", "particles", "threads",
-                  "", "set", "lists", "least ns", "median", "slowest", "M/s", "bytes", "rho error", "acc error");
-  std::string table = fmt::format("{}\ncompiled by {} with {}\n\n{}", Processor(), __VERSION__, SPHLAB_FLAGS, head);
-  fmt::print("{}", table);
-  for (const SpeedCase& of : SpeedCases(options.quick)) {
-    if (Interrupted()) break;
-    const SpeedResult r = MeasureSpeed(of);
-    results.push_back(r);
-    const std::string row =
-        fmt::format("{:>9} {:>7} {:>6} {:>8} {:>5} {:>8.2f} {:>8.2f} {:>8.2f} {:>7.2f} {:>6.0f} {:>9.1e} {:>9.1e}\n",
-                    of.particles, of.threads, of.precision == Precision::kFloat ? "float" : "double",
-                    of.instruction_set, of.keep_lists ? "kept" : "anew", r.least_ns, r.median_ns, r.greatest_ns,
-                    1e3 / r.least_ns, r.bytes, r.density_error, r.acceleration_error);
-    fmt::print("{}", row);
-    std::fflush(stdout);
-    table += row;
-  }
-  const std::filesystem::path out = options.out;
-  WriteWholeFile(out / "speed.csv", SpeedAsCsv(results));
-  WriteWholeFile(out / "speed.txt", table);
-  WritePng(out / "speed.png", Draw(SpeedPlot(results)));
-  return Interrupted() ? ExitCode::kInterrupted : ExitCode::kDone;
+  const std::string machine = DescribeMachine();
+  const bool whole =
+      WriteSpeeds(options.out, options.quick, machine) && WriteSkips(options.out, options.quick, machine);
+  return whole ? ExitCode::kDone : ExitCode::kInterrupted;
 }
 
 }  // namespace sph

@@ -1,4 +1,4 @@
-// `sphlab bench speed`: what a particle and step costs here, as a table, a CSV file and a plot.
+// `sphlab bench speed`: what a particle and step costs here, and what leaving out saves: tables, CSV files and a plot.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace sph {
 
 struct BenchOptions {
-  std::string out;     ///< folder of speed.csv, speed.png and speed.txt
+  std::string out;     ///< folder of speed.csv, speed.txt, speed.png, skips.csv and skips.txt
   bool quick = false;  ///< small systems only
 };
 

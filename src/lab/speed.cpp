@@ -1,226 +1,161 @@
 #include "lab/speed.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
 
 #include "base/clock.hpp"
+#include "base/error.hpp"
 #include "base/instruction_set.hpp"
 #include "scenes/build.hpp"
 
 namespace sph {
 namespace {
 
-constexpr int kRepetitions = 5;
-constexpr double kParticleStepsPerRepetition = 4e6;
+/// More where they are short.
+int RepetitionsOf(const SpeedCase& of) { return of.flow == Flow::kTank && of.particles <= 100'000 ? 9 : 5; }
 
-/// Density and acceleration of particle i by the scalar kernel in double precision, over the particles of its cluster's
-/// list.
-struct Twin {
-  double density = 0;
-  Vec2 acceleration;
-};
-
-class ScalarTwin {
+/// As long as it lives another instruction set is in use.
+class InstructionSetFor {
  public:
-  explicit ScalarTwin(const ParticleSystemSPH& system)
-      : system_(system), kernel_(system.parameters_sph.smoothing_length), density_(system.State().Size(), -1) {}
-
-  Twin Of(std::uint32_t i, std::span<const std::uint32_t> near,
-          const std::function<std::span<const std::uint32_t>(std::uint32_t)>& list) {
-    const Particles& p = system_.State();
-    const double own = Term(i, near);
-    Twin twin{density_[i], system_.parameters.gravity};
-    for (const std::uint32_t j : near) {
-      const Vec2 apart = p.Position(i) - p.Position(j);
-      const double r = Length(apart);
-      if (j == i || r >= system_.Support()) continue;
-      twin.acceleration = twin.acceleration - p.mass[j] * (own + Term(j, list(j))) * kernel_.Gradient(r) * apart;
-    }
-    return twin;
+  explicit InstructionSetFor(const std::string& name) : before_(InstructionSetInUse()) {
+    UseInstructionSet(name, "bench");
   }
+  ~InstructionSetFor() { UseInstructionSet(before_, "bench"); }
+  InstructionSetFor(const InstructionSetFor&) = delete;
+  InstructionSetFor& operator=(const InstructionSetFor&) = delete;
 
  private:
-  /// P/rho^2 of particle i.
-  double Term(std::uint32_t i, std::span<const std::uint32_t> near) {
-    const Particles& p = system_.State();
-    if (density_[i] < 0) {
-      density_[i] = 0;
-      for (const std::uint32_t j : near)
-        density_[i] += p.mass[j] * kernel_.Value(Length(p.Position(i) - p.Position(j)));
-    }
-    const double rho = density_[i];
-    return std::get<Tait>(system_.parameters_sph.equation_of_state).Pressure(rho) / (rho * rho);
-  }
-
-  const ParticleSystemSPH& system_;
-  CubicSpline<2> kernel_;
-  std::vector<double> density_;  // -1 where not known yet
+  std::string before_;
 };
 
-void MeasureErrors(const ParticleSystemSPH& system, SpeedResult& result) {
-  const NeighbourSearch& search = system.Neighbours();
-  const auto clusters = search.Clusters();
-  std::vector<std::uint32_t> cluster_of(system.State().Size());
-  for (std::uint32_t k = 0; k < clusters.size(); ++k) {
-    for (std::uint32_t i = 0; i < clusters[k].count; ++i) cluster_of[clusters[k].first + i] = k;
+void CheckThatItRuns(const ParticleSystemSPH& system) {
+  if (system.Trouble()) throw TroubleError("bench: the flow broke down: {}", system.Trouble()->Message());
+}
+
+/// The repetitions with one number of threads.
+struct Measurement {
+  std::vector<double> seconds = {};  // of a particle and step, in each repetition
+  long steps = 0;
+  std::map<std::string, double, std::less<>> phases = {};  // [s], of the fastest repetition, of a particle and step
+};
+
+/// At least `steps` steps, and on until lists were just made: as they were before the first step, so that every
+/// repetition has whole lives of lists.
+void Repeat(ParticleSystemSPH& system, long steps, Measurement& measurement) {
+  constexpr long kMostMore = 50;
+  const auto before = system.Phases().Seconds();
+  const Stopwatch watch;
+  long done = 0;
+  for (bool made = false; done < steps || (!made && done < steps + kMostMore); ++done) {
+    const long lists = system.Neighbours().ListsMade();
+    system.Step();
+    made = system.Neighbours().ListsMade() != lists;
   }
-  const auto list = [&](std::uint32_t i) {
-    return search.Blocks()[cluster_of[i] / kClustersPerBlock].Of(cluster_of[i]);
-  };
-  ScalarTwin twin(system);
-  const std::vector<double> density = system.Density();
-  const Particles& p = system.State();
-  const std::size_t stride = std::max<std::size_t>(1, p.Size() / 1000);
-  double greatest_density = 0;
-  double greatest_acceleration = 0;
-  for (std::uint32_t i = 0; i < p.Size(); i += static_cast<std::uint32_t>(stride)) {
-    const Twin exact = twin.Of(i, list(i), list);
-    greatest_density = std::max(greatest_density, exact.density);
-    greatest_acceleration = std::max(greatest_acceleration, Length(exact.acceleration));
-    result.density_error = std::max(result.density_error, std::abs(density[i] - exact.density));
-    result.acceleration_error =
-        std::max(result.acceleration_error, Length(Vec2{p.ax[i], p.ay[i]} - exact.acceleration));
+  const double particle_steps = static_cast<double>(done) * static_cast<double>(system.State().Size());
+  const double seconds = watch.Seconds() / particle_steps;
+  measurement.steps += done;
+  measurement.seconds.push_back(seconds);
+  if (seconds > *std::min_element(measurement.seconds.begin(), measurement.seconds.end())) return;
+  for (const auto& [phase, total] : system.Phases().Seconds()) {
+    const auto then = before.find(phase);
+    measurement.phases[phase] = (total - (then == before.end() ? 0 : then->second)) / particle_steps;
   }
-  result.density_error /= greatest_density;
-  result.acceleration_error /= greatest_acceleration;
+}
+
+/// At least one life of the lists. The column's repetitions share half a time
+/// scale.
+long StepsOfARepetition(const ParticleSystemSPH& system, const SpeedCase& of) {
+  constexpr long kFewest = 8;
+  const double n = static_cast<double>(system.State().Size());
+  const double tank = of.particle_steps / n;
+  const double column = 0.5 * TimeScale() / system.parameters.time_step / RepetitionsOf(of);
+  const double steps = of.flow == Flow::kTank ? tank : column / static_cast<double>(of.threads.size());
+  return std::max(kFewest, std::lround(steps));
 }
 
 }  // namespace
 
-/// The fluid fills 2 m x 1 m; its waves are a fifth as fast as its sound.
-Scene SpeedScene(const SpeedCase& of) {
-  Scene scene;
-  scene.name = "speed";
-  const double dx = std::sqrt(2.0 / static_cast<double>(of.particles));
-  Parameters& base = scene.base;
-  base.fluid.particles = of.particles;
-  base.fluid.region.box = {0, 0, 2, 1};
-  base.fluid.arrange = Arrangement::kJittered;
-  base.fluid.jitter = 0.2 * dx;
-  base.particle_mass = dx * dx;
-  base.gravity = {0, -1};
-  base.walls = {{"left", FluidSide::kRight, 0, 0, 0, 0},
-                {"right", FluidSide::kLeft, 2, 0, 2, 2},
-                {"floor", FluidSide::kAbove, 0, 0, 0, 0}};
-  base.wall = {WallKind::kPenalty, 4 / (dx * dx), 1 / dx, 0};
-  constexpr double kSound = 5;
-  base.time_step = 0.4 * 1.3 * dx / kSound;
-  base.threads = of.threads;
-  scene.sph.smoothing_length = 1.3 * dx;
-  scene.sph.equation_of_state = Tait{kSound * kSound / 7, 1, 7};
-  scene.sph.precision = of.precision;
-  return scene;
+Spread SpreadOf(std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  return {times.front(), times[times.size() / 2], times.back()};
 }
 
-SpeedResult MeasureSpeed(const SpeedCase& of) {
-  UseInstructionSet(of.instruction_set, "bench");
-  const auto system = MakeSystem(SpeedScene(of));
-  if (!of.keep_lists) system->KeepLists(false);
-  SpeedResult result;
-  result.of = of;
-  const auto n = static_cast<double>(system->State().Size());
-  result.steps = std::max(3L, std::lround(kParticleStepsPerRepetition / n));
-  const long warm_up = std::min(result.steps, 50L);
-  for (long step = 0; step < warm_up; ++step) system->Step();
-  const double per_particle_step = 1e9 / (n * static_cast<double>(result.steps));
-  std::vector<double> times;
-  for (int repetition = 0; repetition < kRepetitions; ++repetition) {
-    const auto before = system->Phases().Seconds();
-    const Stopwatch watch;
-    for (long step = 0; step < result.steps; ++step) system->Step();
-    times.push_back(watch.Seconds() * per_particle_step);
-    if (times.back() > *std::min_element(times.begin(), times.end())) continue;
-    const auto spent = [&](const char* phase) {
-      const auto& after = system->Phases().Seconds();
-      const auto now = after.find(phase);
-      const auto then = before.find(phase);
-      return now == after.end() ? 0.0 : (now->second - (then == before.end() ? 0 : then->second)) * per_particle_step;
-    };
-    result.grid_ns = spent("grid");
-    result.density_ns = spent("density");
-    result.pressure_ns = spent("pressure");
-    result.walls_ns = spent("walls");
-    result.integrate_ns = spent("integrate");
+void WarmUp(ParticleSystemSPH& system, Flow flow) {
+  const Parameters wanted = system.parameters;
+  system.parameters.threads = 0;
+  if (flow == Flow::kCollapse) {
+    while (system.Time() < TimeScale() && !system.Trouble()) system.Step();
+  } else {
+    // A summed density is too small at walls and surface, which pull the outer layers together with a fifth of the
+    // speed of sound. Damped within ten steps, 4 h/c, that is over after sixty, whatever N is.
+    constexpr int kSteps = 60;
+    system.parameters.motion_damping = 0.1 / system.parameters.time_step;
+    for (int step = 0; step < kSteps; ++step) system.Step();
   }
-  std::sort(times.begin(), times.end());
-  result.repetitions = kRepetitions;
-  result.least_ns = times.front();
-  result.median_ns = times[times.size() / 2];
-  result.greatest_ns = times.back();
+  system.parameters = wanted;
+  CheckThatItRuns(system);
+}
+
+std::vector<SpeedResult> MeasureSpeed(const SpeedCase& of, const VectorRates& rates) {
+  const InstructionSetFor set(of.instruction_set);
+  const auto system = MakeSystem(SpeedScene(of.flow, of.particles, of.precision));
+  WarmUp(*system, of.flow);
+  const long steps = StepsOfARepetition(*system, of);
+  const long lists_before = system->Neighbours().ListsMade();
+  const long steps_before = system->Steps();
+  std::vector<Measurement> measurements(of.threads.size());
+  for (int repetition = 0; repetition < RepetitionsOf(of); ++repetition) {
+    for (std::size_t k = 0; k < measurements.size(); ++k) {
+      system->parameters.threads = of.threads[k];
+      Repeat(*system, steps, measurements[k]);
+    }
+  }
+  CheckThatItRuns(*system);
+  SpeedResult common;
+  common.flow = of.flow;
+  common.particles = system->State().Size();
+  common.precision = of.precision;
+  common.instruction_set = InstructionSetInUse();
+  common.repetitions = RepetitionsOf(of);
+  common.steps_per_list = static_cast<double>(system->Steps() - steps_before) /
+                          static_cast<double>(std::max(1L, system->Neighbours().ListsMade() - lists_before));
+  common.bytes = static_cast<double>(system->Bytes()) / static_cast<double>(common.particles);
   system->ComputeFields();
-  result.neighbours = system->MeanNeighbours();
-  result.bytes = static_cast<double>(system->Bytes()) / n;
-  MeasureErrors(*system, result);
-  UseInstructionSet("best", "bench");
-  return result;
+  common.neighbours = system->MeanNeighbours();
+  common.errors = ErrorsAgainstScalarTwin(*system);
+  std::vector<SpeedResult> results;
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    Measurement& measured = measurements[k];
+    SpeedResult& result = results.emplace_back(common);
+    result.threads = of.threads[k];
+    result.steps = measured.steps;
+    for (double& seconds : measured.seconds) seconds *= 1e9;
+    result.ns = SpreadOf(measured.seconds);
+    result.grid_ns = 1e9 * measured.phases["grid"];
+    result.density_ns = 1e9 * measured.phases["density"];
+    result.pressure_ns = 1e9 * measured.phases["pressure"];
+    result.walls_ns = 1e9 * measured.phases["walls"];
+    result.integrate_ns = 1e9 * measured.phases["integrate"];
+    result.limit_ns = 1e9 * LeastSeconds(rates, of.precision, common.neighbours, result.threads);
+  }
+  return results;
 }
 
 std::vector<SpeedCase> SpeedCases(bool quick) {
-  const std::vector<std::size_t> sizes = quick ? std::vector<std::size_t>{1000, 10'000}
+  const std::vector<std::size_t> tanks = quick ? std::vector<std::size_t>{1000, 10'000}
                                                : std::vector<std::size_t>{1000, 10'000, 100'000, 1'000'000, 4'000'000};
+  const std::vector<std::size_t> columns =
+      quick ? std::vector<std::size_t>{10'000} : std::vector<std::size_t>{10'000, 100'000};
+  const std::string best = AvailableInstructionSets().back();
   std::vector<SpeedCase> cases;
   for (const Precision precision : {Precision::kFloat, Precision::kDouble}) {
     for (const std::string& set : AvailableInstructionSets()) {
-      const bool best = set == AvailableInstructionSets().back();
-      for (const int threads : best ? std::vector<int>{1, 2} : std::vector<int>{1}) {
-        for (const std::size_t n : sizes) cases.push_back({n, threads, precision, set});
-      }
+      const std::vector<int> threads = set == best ? std::vector<int>{1, 2} : std::vector<int>{1};
+      for (const std::size_t n : tanks) cases.push_back({Flow::kTank, n, precision, set, threads});
     }
-    // What keeping the lists saves.
-    for (const std::size_t n : sizes) cases.push_back({n, 1, precision, AvailableInstructionSets().back(), false});
+    for (const std::size_t n : columns) cases.push_back({Flow::kCollapse, n, precision, best, {1, 2}});
   }
   return cases;
-}
-
-namespace {
-
-std::string NameOf(const SpeedCase& of) {
-  return fmt::format("{}, {}, {} thread{}{}", of.precision == Precision::kFloat ? "float" : "double",
-                     of.instruction_set, of.threads, of.threads == 1 ? "" : "s",
-                     of.keep_lists ? "" : ", lists at every step");
-}
-
-}  // namespace
-
-std::string SpeedAsCsv(const std::vector<SpeedResult>& results) {
-  std::string text =
-      "particles,threads,precision,instruction_set,lists_kept,steps,repetitions,least [ns],median [ns],greatest [ns],"
-      "particle_steps_per_second [1/s],grid [ns],density [ns],pressure [ns],walls [ns],integrate [ns],neighbours,"
-      "memory [bytes],density_error,acceleration_error\n";
-  for (const SpeedResult& r : results) {
-    text += fmt::format(
-        "{},{},{},{},{},{},{},{:.2f},{:.2f},{:.2f},{:.4g},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{:.0f},{:.2e},{:."
-        "2e}\n",
-        r.of.particles, r.of.threads, r.of.precision == Precision::kFloat ? "float" : "double", r.of.instruction_set,
-        r.of.keep_lists ? 1 : 0, r.steps, r.repetitions, r.least_ns, r.median_ns, r.greatest_ns, 1e9 / r.least_ns,
-        r.grid_ns, r.density_ns, r.pressure_ns, r.walls_ns, r.integrate_ns, r.neighbours, r.bytes, r.density_error,
-        r.acceleration_error);
-  }
-  return text;
-}
-
-Plot SpeedPlot(const std::vector<SpeedResult>& results) {
-  Plot plot;
-  plot.title = "Particle-steps per second, about 20 neighbours";
-  plot.x = {"particles", Scale::kLog};
-  plot.y = {"million particle-steps per second", Scale::kLog};
-  std::map<std::string, Series> by_name;
-  std::vector<std::string> order;
-  for (const SpeedResult& r : results) {
-    const std::string name = NameOf(r.of);
-    if (!by_name.contains(name)) {
-      by_name[name] = Curve(name, {}, {});
-      order.push_back(name);
-    }
-    by_name[name].x.push_back(static_cast<double>(r.of.particles));
-    by_name[name].y.push_back(1e3 / r.least_ns);
-  }
-  for (const std::string& name : order) plot.series.push_back(by_name[name]);
-  return plot;
 }
 
 }  // namespace sph

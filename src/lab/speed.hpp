@@ -5,54 +5,62 @@
 #include <string>
 #include <vector>
 
-#include "lab/plot.hpp"
-#include "scenes/scene.hpp"
+#include "lab/scalar_twin.hpp"
+#include "lab/speed_flows.hpp"
+#include "lab/vector_rate.hpp"
 
 namespace sph {
 
-/// One run to be measured.
+/// A flow to be measured.
 struct SpeedCase {
+  Flow flow = Flow::kTank;
   std::size_t particles = 0;
-  int threads = 1;
+  Precision precision = Precision::kFloat;
+  std::string instruction_set = "best";
+  std::vector<int> threads = {1};  ///< their repetitions take turns, so that noise and flow are the same for all
+  double particle_steps = 1e6;     ///< of a repetition of a tank, at least
+};
+
+/// Wall time of some repetitions.
+struct Spread {
+  double least = 0;
+  double median = 0;
+  double greatest = 0;
+};
+/// Precondition: at least one time.
+Spread SpreadOf(std::vector<double> times);
+
+/// What a particle and step took with one of the case's numbers of threads, and how far its last fields are from the
+/// same sums in scalar double precision.
+struct SpeedResult {
+  Flow flow = Flow::kTank;
+  std::size_t particles = 0;
   Precision precision = Precision::kFloat;
   std::string instruction_set;
-  bool keep_lists = true;  ///< with a skin around the lists; else they are made anew at every step
-};
-
-/// What it took, after a warm-up, and how far its last fields are from the same sums in scalar double precision.
-struct SpeedResult {
-  SpeedCase of;
-  long steps = 0;  ///< in each repetition
+  int threads = 1;
   int repetitions = 0;
-  double least_ns =
-      0;  ///< wall time per particle and step of the fastest repetition, of the median one, of the slowest
-  double median_ns = 0;
-  double greatest_ns = 0;
-  double grid_ns = 0;  ///< by phase, in the fastest repetition
+  long steps = 0;      ///< in all repetitions
+  Spread ns;           ///< wall time of a particle and step
+  double grid_ns = 0;  ///< of that, by pass, in the fastest repetition: cells and neighbour lists
   double density_ns = 0;
-  double pressure_ns = 0;
+  double pressure_ns = 0;  ///< and gravity
   double walls_ns = 0;
   double integrate_ns = 0;
-  double neighbours = 0;          ///< mean
-  double bytes = 0;               ///< per particle
-  double density_error = 0;       ///< greatest difference over greatest density, of about a thousand particles
-  double acceleration_error = 0;  ///< the same of the accelerations
+  double limit_ns = 0;        ///< LeastSeconds with these neighbours and threads
+  double neighbours = 0;      ///< within the support, mean
+  double steps_per_list = 0;  ///< how long lists were kept, mean
+  double bytes = 0;           ///< of a particle
+  FieldErrors errors;
 };
 
-/// A box of water over a floor and between two walls, h = 1.3 spacings, about 20 neighbours in the support of 2h, that
-/// sloshes a little: N particles on a jittered lattice.
-Scene SpeedScene(const SpeedCase& of);
-
-/// Runs that scene.
-SpeedResult MeasureSpeed(const SpeedCase& of);
+/// Runs a case, after a warm-up: a tank until it is nearly still, a column until t = sqrt(H/g), in mid-collapse.
+/// TroubleError if it breaks down.
+std::vector<SpeedResult> MeasureSpeed(const SpeedCase& of, const VectorRates& rates);
 
 /// The cases of the whole benchmark, or of a short one.
 std::vector<SpeedCase> SpeedCases(bool quick);
 
-/// The results as CSV; the first line has the column names with units.
-std::string SpeedAsCsv(const std::vector<SpeedResult>& results);
-
-/// Million particle-steps per second against N, a curve for each precision, instruction set and number of threads.
-Plot SpeedPlot(const std::vector<SpeedResult>& results);
+/// Brings a new system of the flow to where it is measured, on all threads.
+void WarmUp(ParticleSystemSPH& system, Flow flow);
 
 }  // namespace sph

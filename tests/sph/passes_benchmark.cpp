@@ -2,8 +2,7 @@
 // build/release/tests/sph/sphlab_passes_benchmark.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
-
+#include "base/clock.hpp"
 #include "lab/speed.hpp"
 #include "scenes/build.hpp"
 #include "sph/paper_loops.hpp"
@@ -11,15 +10,30 @@
 namespace sph {
 namespace {
 
-/// The whole step of the fluid of `sphlab bench speed` on one thread; items are particle-steps.
+std::unique_ptr<ParticleSystemSPH> Tank(std::int64_t n, Precision precision) {
+  Scene scene = SpeedScene(Flow::kTank, static_cast<std::size_t>(n), precision);
+  scene.base.threads = 1;
+  auto system = MakeSystem(scene);
+  WarmUp(*system, Flow::kTank);
+  return system;
+}
+
+PaperLoops LoopsOver(const ParticleSystemSPH& system) {
+  const Particles& p = system.State();
+  const auto& water = std::get<Tait>(system.parameters_sph.equation_of_state);
+  return {p.x, p.y, p.mass[0], system.parameters_sph.smoothing_length, water.k, water.rho0};
+}
+
+/// The whole step of the tank of `sphlab bench speed` on one thread; items are particle-steps.
 void BM_Step(benchmark::State& state, Precision precision) {
-  const auto n = static_cast<std::size_t>(state.range(0));
-  const auto system = MakeSystem(SpeedScene({n, 1, precision, "best"}));
-  for (int k = 0; k < 20; ++k) system->Step();
+  const auto system = Tank(state.range(0), precision);
+  const auto before = system->Phases().Seconds();
   for (auto _ : state) system->Step();
-  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * system->State().Size()));
+  const double particle_steps = static_cast<double>(state.iterations() * state.range(0));
+  state.SetItemsProcessed(static_cast<std::int64_t>(particle_steps));
   for (const auto& [phase, seconds] : system->Phases().Seconds()) {
-    state.counters[phase + " [ns]"] = 1e9 * seconds / static_cast<double>(system->Steps()) / static_cast<double>(n);
+    const auto then = before.find(phase);
+    state.counters[phase + " [ns]"] = 1e9 * (seconds - (then == before.end() ? 0 : then->second)) / particle_steps;
   }
 }
 BENCHMARK_CAPTURE(BM_Step, float, Precision::kFloat)->Arg(1000)->Arg(16000)->Arg(100000);
@@ -27,19 +41,34 @@ BENCHMARK_CAPTURE(BM_Step, double, Precision::kDouble)->Arg(1000)->Arg(16000)->A
 
 /// The paper's two neighbour loops, and nothing else of a step, over the same particles.
 void BM_PaperLoops(benchmark::State& state) {
-  const auto n = static_cast<std::size_t>(state.range(0));
-  const auto system = MakeSystem(SpeedScene({n, 1, Precision::kDouble, "best"}));
-  for (int k = 0; k < 20; ++k) system->Step();
-  const Particles& p = system->State();
-  const auto& water = std::get<Tait>(system->parameters_sph.equation_of_state);
-  PaperLoops loops(p.x, p.y, p.mass[0], system->parameters_sph.smoothing_length, water.k, water.rho0);
+  PaperLoops loops = LoopsOver(*Tank(state.range(0), Precision::kDouble));
   for (auto _ : state) {
     loops.ComputePressures();
     loops.AddSpatialInteraction();
   }
-  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * n));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK(BM_PaperLoops)->Arg(1000)->Arg(16000)->Arg(100000);
+
+/// Steps and the paper's loops in turns, so that both meet the same noise: how many times as fast the whole step is.
+void BM_StepsAndPaperLoopsInTurns(benchmark::State& state, Precision precision) {
+  const auto system = Tank(state.range(0), precision);
+  PaperLoops loops = LoopsOver(*system);
+  double of_steps = 0;  // [s]
+  double of_loops = 0;
+  for (auto _ : state) {
+    Stopwatch watch;
+    system->Step();
+    of_steps += watch.Seconds();
+    watch.Restart();
+    loops.ComputePressures();
+    loops.AddSpatialInteraction();
+    of_loops += watch.Seconds();
+  }
+  state.counters["loops over step"] = of_loops / of_steps;
+}
+BENCHMARK_CAPTURE(BM_StepsAndPaperLoopsInTurns, float, Precision::kFloat)->Arg(1000)->Arg(16000)->Arg(100000);
+BENCHMARK_CAPTURE(BM_StepsAndPaperLoopsInTurns, double, Precision::kDouble)->Arg(1000)->Arg(16000)->Arg(100000);
 
 }  // namespace
 }  // namespace sph
