@@ -1,4 +1,6 @@
 // The command line.
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -218,7 +220,17 @@ void CheckThatResultsAreOut() {
   throw TroubleError("cannot write the results to standard output: {}", std::strerror(errno));
 }
 
+/// Threads that wait for each other spin for a short while only: on a machine that others use, one that spins keeps the
+/// one that it waits for from running. OpenMP's library reads this when it is loaded, before main, hence the second
+/// start; should that fail, the program only runs slower beside others.
+void WaitPolitely(char** argv) {
+  if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv("GOMP_SPINCOUNT") != nullptr) return;
+  constexpr const char* kSpins = "10000";  // some 10 microseconds
+  if (setenv("GOMP_SPINCOUNT", kSpins, 1) == 0) execv("/proc/self/exe", argv);
+}
+
 int Main(int argc, char** argv) {
+  WaitPolitely(argv);
   try {
     if (const char* set = std::getenv("SPHLAB_SIMD")) UseInstructionSet(set, "SPHLAB_SIMD");
     const ExitCode code = CommandLine().Run(argc, argv);

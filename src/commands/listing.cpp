@@ -2,6 +2,8 @@
 
 #include <omp.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/instruction_set.hpp"
@@ -30,6 +32,18 @@ Json PlanAsJson(const ParticleSystem& system) {
   plan.push_back(
       {{"pass", "drawing"}, {"runs", false}, {"reason", "in the window and `render` only; `run` loads no GL"}});
   return plan;
+}
+
+/// The limits that there are, the shortest first, and what the adaptive step takes of them.
+Json LimitsAsJson(const ParticleSystemSPH& system) {
+  std::vector<StepLimit> limits = system.StepLimits();
+  const double largest = LargestStep(limits);
+  std::erase_if(limits, [](const StepLimit& limit) { return !std::isfinite(limit.seconds); });
+  std::ranges::sort(limits, {}, &StepLimit::seconds);
+  limits.push_back({"adaptive step", largest});
+  Json list = Json::array();
+  for (const StepLimit& limit : limits) list.push_back({{"limit", limit.what}, {"seconds", limit.seconds}});
+  return list;
 }
 
 }  // namespace
@@ -92,6 +106,7 @@ void DescribeScene(const SceneRequest& request, bool json) {
                      {"time_step", p.time_step},
                      {"wall_stiffness", p.wall.stiffness},
                      {"wall_damping", p.wall.damping},
+                     {"step_limits", LimitsAsJson(*system)},
                      {"plan", PlanAsJson(*system)}};
   if (json) {
     fmt::print("{}\n", info.dump(2));
@@ -103,6 +118,10 @@ void DescribeScene(const SceneRequest& request, bool json) {
              system->Support(), p.time_step);
   if (!p.walls.empty() && p.wall.kind == WallKind::kPenalty) {
     fmt::print("walls: stiffness {:.4g} 1/s^2, damping {:.4g} 1/s\n", p.wall.stiffness, p.wall.damping);
+  }
+  fmt::print("\njust stable steps at the start, and the largest advisable one:\n");
+  for (const Json& limit : info["step_limits"]) {
+    fmt::print("  {:<22} {:.4g} s\n", limit["limit"].get<std::string>(), limit["seconds"].get<double>());
   }
   fmt::print("\nplan of a step:\n");
   for (const Json& pass : info["plan"]) {

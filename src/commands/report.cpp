@@ -60,6 +60,7 @@ nlohmann::ordered_json ReportRun(const Session& session, double wall_seconds) {
   report["status"] = system.Trouble() ? "unstable" : "ok";
   report["state_hash"] = fmt::format("{:016x}", d.state_hash);
   report["errors"] = ErrorsAgainstReference(session);
+  report["memory_bytes"] = system.Bytes();
   return report;
 }
 

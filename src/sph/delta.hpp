@@ -2,6 +2,8 @@
 // particle shifting and tensile control.
 #pragma once
 
+#include <array>
+
 #include "sph/delta_passes.hpp"
 #include "sph/particle_system_sph.hpp"
 
@@ -22,13 +24,14 @@ class Delta final : public ParticleSystemSPH {
   double Support() const override { return WendlandC2::kSupport * parameters_sph.smoothing_length; }
   std::vector<PassPlan> Plan() const override;
   std::vector<StepLimit> StepLimits() const override;
-  double InternalEnergy() const override;
+  std::size_t Bytes() const override;
 
  protected:
   void ComputeAccelerations() override;
   void InitialPositions() override;
   void Reorder(std::span<const std::uint32_t> order) override;
   void AfterStep() override;
+  double StableSoundStep() const override;
   double LeastSkin() const override { return IsGas() ? 0 : LastTravel(); }
   void ResizeArrays(std::size_t n) override;
   void ComputeDensities(ListBlock& block) override;
@@ -41,7 +44,7 @@ class Delta final : public ParticleSystemSPH {
     std::vector<Real> volume, excess, pressure, vx, vy, gradient_x, gradient_y, wholeness, next_wholeness, rate;
     std::vector<Real> shift_x, shift_y;
 
-    std::vector<std::vector<Real>*> All() {
+    std::array<std::vector<Real>*, 12> All() {
       return {&volume,     &excess,    &pressure,       &vx,   &vy,      &gradient_x,
               &gradient_y, &wholeness, &next_wholeness, &rate, &shift_x, &shift_y};
     }

@@ -79,6 +79,13 @@ std::vector<StepLimit> Mueller::StepLimits() const {
   return limits;
 }
 
+std::size_t Mueller::Bytes() const {
+  return ParticleSystemSPH::Bytes() +
+         std::visit(
+             []<typename Real>(const Arrays<Real>& arrays) { return sizeof(Real) * 4 * arrays.volume.capacity(); },
+             arrays_);
+}
+
 std::vector<PassPlan> Mueller::Plan() const {
   std::vector<PassPlan> plan = ParticleSystemSPH::Plan();
   const bool viscous = parameters_sph.viscosity != 0;

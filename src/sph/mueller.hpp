@@ -23,6 +23,7 @@ class Mueller final : public ParticleSystemSPH {
   double Support() const override { return parameters_sph.smoothing_length; }
   std::vector<PassPlan> Plan() const override;
   std::vector<StepLimit> StepLimits() const override;
+  std::size_t Bytes() const override;
 
  protected:
   void ResizeArrays(std::size_t n) override;

@@ -212,14 +212,15 @@ double ParticleSystemSPH::FastestSound() const {
                     parameters_sph.equation_of_state);
 }
 
+/// 1.31 to 1.38 for the cubic spline's gas, P = rho c^2/2; more where pressures are lower.
+double ParticleSystemSPH::StableSoundStep() const { return 1.31; }
+
 std::vector<StepLimit> ParticleSystemSPH::StepLimits() const {
   std::vector<StepLimit> limits = ParticleSystem::StepLimits();
   const double h = 0.5 * Support();
   const double sound = FastestSound();
-  // Leapfrog on lattices of the cubic spline's gas, P = rho c^2/2: c dt/h < 1.31 to 1.38, and more where pressures are
-  // lower.
-  constexpr double kSound = 1.31;
-  limits.push_back({"speed of sound", sound > 0 ? kSound * h / sound : std::numeric_limits<double>::infinity()});
+  limits.push_back(
+      {"speed of sound", sound > 0 ? StableSoundStep() * h / sound : std::numeric_limits<double>::infinity()});
   double fastest2 = 0;
   double pushed2 = 0;
   const Particles& p = particles_;

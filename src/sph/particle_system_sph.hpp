@@ -66,7 +66,7 @@ class ParticleSystemSPH : public ParticleSystem {
   /// See NeighbourSearch::KeepLists.
   void KeepLists(bool keep) { neighbours_.KeepLists(keep); }
   /// Of all arrays that grow with the particles.
-  std::size_t Bytes() const;
+  virtual std::size_t Bytes() const;
 
   /// May be changed between steps, the precision excepted.
   ParametersSPH parameters_sph;
@@ -89,6 +89,8 @@ class ParticleSystemSPH : public ParticleSystem {
   /// Finds the clusters around each of the block's, and of their particles those within reach: the neighbour store's
   /// lists.
   void FindCells(ListBlock& block);
+  /// The greatest stable c dt/h of leapfrog on lattices of this solver's fluid.
+  virtual double StableSoundStep() const;
   /// How far beyond the support the lists shall reach at least [m].
   virtual double LeastSkin() const { return 0; }
   /// Makes room in the arrays of the passes for n particles, images included, and the padding.

@@ -75,6 +75,7 @@ const std::vector<std::pair<const char*, bool (*)(const json&)>> kFields = {
     {"status", IsText},
     {"state_hash", IsHash},
     {"errors", AreNamedNumbers},
+    {"memory_bytes", IsCount},
 };
 
 TEST(RunJson, HasEveryFieldWithItsType) {
