@@ -62,7 +62,12 @@ TEST(Catalogue, EveryScenesFirstViewContainsItsFluidAndTheBlockToDrop) {
 }
 
 TEST(Catalogue, EverySceneHasRoomForABlockAtItsStart) {
-  for (const std::string& name : SceneNames()) EXPECT_EQ(MakeSystem(Load(name))->DropBlock(), "") << name;
+  for (const std::string& name : SceneNames()) {
+    const auto system = MakeSystem(Load(name));
+    const Periods& periods = system->parameters_sph.periods;
+    const bool full = periods.in_x && periods.in_y;  // fluid everywhere, and its images around
+    EXPECT_EQ(system->DropBlock() == "", !full) << name;
+  }
 }
 
 TEST(Catalogue, FindsAScenesFileByName) {
