@@ -29,7 +29,7 @@ System WarmTank(const Scene& scene) {
 }
 
 /// Steps of a system, after each of which something else is done; ns of a particle and step.
-Arm Steps(std::string what, const System& system, std::function<void(ParticleSystemSPH&)> also = {}) {
+Arm Steps(std::string what, const System& system, const std::function<void(ParticleSystemSPH&)>& also = {}) {
   constexpr std::size_t kParticleSteps = 3'000'000;  // of a repetition
   constexpr std::size_t kMostSteps = 300;
   const std::size_t steps = std::min(kMostSteps, kParticleSteps / system->State().Size());

@@ -1,6 +1,7 @@
 // Verification: runs of scenes with exact solutions, what came out, and the bar that it is held against.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,8 +38,13 @@ std::vector<Verdict> MeasureStaticStar(ParticleSystemSPH& system, double bar, co
 std::vector<Verdict> MeasureBreathingStar(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureTaylorGreen(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureEllipticDrop(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureStillWater(ParticleSystemSPH& system);
+std::vector<Verdict> MeasurePoiseuille(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureOscillatingDrop(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureRotatingSquare(ParticleSystemSPH& system);
+
+/// The value of a metric of a run that broke down: no bar holds it.
+inline constexpr double kBroken = std::numeric_limits<double>::infinity();
 
 /// Steps until `time` [s] or until the run breaks down.
 void AdvanceTo(ParticleSystemSPH& system, double time);

@@ -1,15 +1,12 @@
 // Drops without walls: the one that becomes an ellipse, and the square that turns.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lab/verification.hpp"
 #include "particles/diagnostics.hpp"
 
 namespace sph {
 namespace {
-
-constexpr double kBroken = std::numeric_limits<double>::infinity();
 
 /// The drop of semi-axes a along x and b along y with the velocity (-A x, A y) under the force -lambda x: A' = (A^2 +
 /// lambda) (a^2 - b^2)/(a^2 + b^2), a' = -A a, b' = A b [Monaghan & Rafiee 2013, eqs. 5.3 to 5.5].

@@ -13,37 +13,76 @@ Vec2 Periods::Wrap(Vec2 point) const {
   return point;
 }
 
-void Images::Find(const Periods& periods, double reach, std::span<const double> x, std::span<const double> y) {
+namespace {
+
+double Coordinate(const AxisEnds& ends, ImageOf image, double at) {
+  switch (image) {
+    case ImageOf::kSame:
+      return at;
+    case ImageOf::kPeriodUp:
+      return at + (ends.high - ends.low);
+    case ImageOf::kPeriodDown:
+      return at - (ends.high - ends.low);
+    case ImageOf::kMirrorLow:
+      return 2 * ends.low - at;
+    case ImageOf::kMirrorHigh:
+      return 2 * ends.high - at;
+  }
+  return at;
+}
+
+/// The images that a coordinate has beside itself, for particles within `margin` of an end.
+struct Beside {
+  ImageOf images[2];
+  int count = 0;
+};
+Beside ImagesOf(const AxisEnds& ends, double margin, double at) {
+  Beside beside;
+  if (at < ends.low + margin) beside.images[beside.count++] = ends.periodic ? ImageOf::kPeriodUp : ImageOf::kMirrorLow;
+  if (at > ends.high - margin)
+    beside.images[beside.count++] = ends.periodic ? ImageOf::kPeriodDown : ImageOf::kMirrorHigh;
+  return beside;
+}
+
+}  // namespace
+
+void Images::Find(const Ends& ends, double reach, std::span<const double> x, std::span<const double> y) {
   sources_.clear();
-  shift_x_.clear();
-  shift_y_.clear();
-  if (!periods.Any()) return;
-  const Box& box = periods.box;
-  SPH_CHECK((!periods.in_x || box.Width() > 2 * reach) && (!periods.in_y || box.Height() > 2 * reach),
-            "a period of {} m x {} m is too short for a reach of {} m", box.Width(), box.Height(), reach);
-  const auto add = [&](std::size_t i, double shift_x, double shift_y) {
-    sources_.push_back(static_cast<std::uint32_t>(i));
-    shift_x_.push_back(shift_x);
-    shift_y_.push_back(shift_y);
-  };
+  in_x_.clear();
+  in_y_.clear();
+  if (!ends.Any()) return;
+  for (const AxisEnds& axis : {ends.x, ends.y}) {
+    SPH_CHECK(!axis.periodic || axis.high - axis.low > 2 * reach, "a period of {} m is too short for a reach of {} m",
+              axis.high - axis.low, reach);
+  }
   double drift = 0;  // [m], of the particle furthest out
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (periods.in_x) drift = std::max({drift, box.x0 - x[i], x[i] - box.x1});
-    if (periods.in_y) drift = std::max({drift, box.y0 - y[i], y[i] - box.y1});
+    drift = std::max({drift, ends.x.low - x[i], x[i] - ends.x.high, ends.y.low - y[i], y[i] - ends.y.high});
   }
   const double margin = reach + drift;
-  /// By how much a coordinate's image is shifted; 0 if there is none.
-  const auto shift = [margin](bool periodic, double at, double low, double high) {
-    if (periodic && at < low + margin) return high - low;
-    if (periodic && at > high - margin) return low - high;
-    return 0.0;
+  const auto add = [&](std::size_t i, ImageOf image_x, ImageOf image_y) {
+    sources_.push_back(static_cast<std::uint32_t>(i));
+    in_x_.push_back(image_x);
+    in_y_.push_back(image_y);
   };
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const double shift_x = shift(periods.in_x, x[i], box.x0, box.x1);
-    const double shift_y = shift(periods.in_y, y[i], box.y0, box.y1);
-    if (shift_x != 0) add(i, shift_x, 0);
-    if (shift_y != 0) add(i, 0, shift_y);
-    if (shift_x != 0 && shift_y != 0) add(i, shift_x, shift_y);
+    const Beside beside_x = ImagesOf(ends.x, margin, x[i]);
+    const Beside beside_y = ImagesOf(ends.y, margin, y[i]);
+    for (int a = 0; a < beside_x.count; ++a) add(i, beside_x.images[a], ImageOf::kSame);
+    for (int b = 0; b < beside_y.count; ++b) add(i, ImageOf::kSame, beside_y.images[b]);
+    for (int a = 0; a < beside_x.count; ++a) {
+      for (int b = 0; b < beside_y.count; ++b) add(i, beside_x.images[a], beside_y.images[b]);
+    }
+  }
+}
+
+void Images::Place(const Ends& ends, std::span<const double> x, std::span<const double> y, std::vector<double>& image_x,
+                   std::vector<double>& image_y) const {
+  image_x.resize(Size());
+  image_y.resize(Size());
+  for (std::size_t k = 0; k < Size(); ++k) {
+    image_x[k] = Coordinate(ends.x, in_x_[k], x[sources_[k]]);
+    image_y[k] = Coordinate(ends.y, in_y_[k], y[sources_[k]]);
   }
 }
 
@@ -54,13 +93,13 @@ void Images::Reorder(std::span<const std::uint32_t> order) {
     values.swap(scratch);
   };
   apply(sources_, sources_scratch_);
-  apply(shift_x_, scratch_);
-  apply(shift_y_, scratch_);
+  apply(in_x_, scratch_);
+  apply(in_y_, scratch_);
 }
 
 std::size_t Images::Bytes() const {
   return sizeof(std::uint32_t) * (sources_.capacity() + sources_scratch_.capacity()) +
-         sizeof(double) * (shift_x_.capacity() + shift_y_.capacity() + scratch_.capacity());
+         sizeof(ImageOf) * (in_x_.capacity() + in_y_.capacity() + scratch_.capacity());
 }
 
 }  // namespace sph

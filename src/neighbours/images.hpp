@@ -1,7 +1,8 @@
-// Periodic boundaries: copies of the particles near one side, seen beyond the other.
+// Periodic boundaries and plane walls as mirrors: copies of the particles near a side, seen beyond it.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,24 +23,43 @@ struct Periods {
   friend bool operator==(const Periods&, const Periods&) = default;
 };
 
-/// Image k of particle Sources()[k] is at its position plus (ShiftX()[k], ShiftY()[k]) [m].
+/// What bounds one coordinate.
+struct AxisEnds {
+  double low = -std::numeric_limits<double>::infinity();  ///< [m]; finite where something is there
+  double high = std::numeric_limits<double>::infinity();
+  bool periodic = false;  ///< else what is finite is a mirror
+  friend bool operator==(const AxisEnds&, const AxisEnds&) = default;
+};
+struct Ends {
+  AxisEnds x, y;
+  bool Any() const { return !(*this == Ends{}); }
+  friend bool operator==(const Ends&, const Ends&) = default;
+};
+
+/// How one coordinate of an image comes from its source's.
+enum class ImageOf : std::uint8_t { kSame, kPeriodUp, kPeriodDown, kMirrorLow, kMirrorHigh };
+
+/// Copies of particles: image k is of particle Sources()[k].
 class Images {
  public:
-  /// Finds every image within `reach` [m] of a particle. Particles may have drifted out of the box, but not far.
-  /// Precondition: the box is longer than twice the reach where it is periodic.
-  void Find(const Periods& periods, double reach, std::span<const double> x, std::span<const double> y);
+  /// Finds every image within `reach` [m] of a particle. Particles may have drifted beyond the ends, but not far.
+  /// Precondition: periodic ends are more than twice the reach apart.
+  void Find(const Ends& ends, double reach, std::span<const double> x, std::span<const double> y);
   /// Image k becomes the former image order[k].
   void Reorder(std::span<const std::uint32_t> order);
+  /// Where the images of these particles are with these ends, which may have moved a little [m]; overwritten.
+  void Place(const Ends& ends, std::span<const double> x, std::span<const double> y, std::vector<double>& image_x,
+             std::vector<double>& image_y) const;
 
   std::size_t Size() const { return sources_.size(); }
   std::span<const std::uint32_t> Sources() const { return sources_; }
-  std::span<const double> ShiftX() const { return shift_x_; }
-  std::span<const double> ShiftY() const { return shift_y_; }
+  std::span<const ImageOf> InX() const { return in_x_; }
+  std::span<const ImageOf> InY() const { return in_y_; }
   std::size_t Bytes() const;
 
  private:
   std::vector<std::uint32_t> sources_, sources_scratch_;
-  std::vector<double> shift_x_, shift_y_, scratch_;
+  std::vector<ImageOf> in_x_, in_y_, scratch_;
 };
 
 }  // namespace sph

@@ -47,7 +47,7 @@ void NeighbourSearch::Prepare(std::span<const double> x, std::span<const double>
                               double least_skin) {
   boxes_.Update(order_, x, y);
   skin_ = std::max(least_skin, keep_lists_ ? BestSkin(support_, travel_per_step) : 0);
-  if (periods_.Any()) FindImages(x, y);
+  if (ends_.Any()) FindImages(x, y);
   travelled_when_made_ = travelled_;
   const auto clusters = static_cast<std::uint32_t>(order_.Clusters().size());
   blocks_.resize((clusters + kClustersPerBlock - 1) / kClustersPerBlock);
@@ -60,19 +60,11 @@ void NeighbourSearch::Prepare(std::span<const double> x, std::span<const double>
 }
 
 void NeighbourSearch::FindImages(std::span<const double> x, std::span<const double> y) {
-  images_.Find(periods_, Reach(), x, y);
-  const auto place = [&] {
-    image_x_.resize(images_.Size());
-    image_y_.resize(images_.Size());
-    for (std::size_t k = 0; k < images_.Size(); ++k) {
-      image_x_[k] = x[images_.Sources()[k]] + images_.ShiftX()[k];
-      image_y_[k] = y[images_.Sources()[k]] + images_.ShiftY()[k];
-    }
-  };
-  place();
+  images_.Find(ends_, Reach(), x, y);
+  images_.Place(ends_, x, y, image_x_, image_y_);
   image_order_.Sort(image_x_, image_y_, spacing_, support_, lanes_);
   images_.Reorder(image_order_.Order());
-  place();
+  images_.Place(ends_, x, y, image_x_, image_y_);
   image_order_.Cut(image_x_, image_y_, support_, lanes_);
   image_boxes_.Update(image_order_, image_x_, image_y_);
 }

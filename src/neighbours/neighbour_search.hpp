@@ -27,9 +27,10 @@ class NeighbourSearch {
   /// Whether lists are kept for several steps, which is the default; else they are made anew at every one.
   void KeepLists(bool keep) { keep_lists_ = keep; }
 
-  /// What repeats; nothing unless told. Images are found with the lists.
-  void SetPeriods(const Periods& periods) { periods_ = periods; }
-  const Images& PeriodicImages() const { return images_; }
+  /// What bounds the particles; nothing unless told. Images are found with the lists.
+  void SetEnds(const Ends& ends) { ends_ = ends; }
+  const Ends& CurrentEnds() const { return ends_; }
+  const Images& AllImages() const { return images_; }
 
   /// @param travelled  how far a particle may have gone since the start [m]
   /// @param support    reach of the kernel [m]
@@ -69,7 +70,7 @@ class NeighbourSearch {
 
   ClusterOrder order_;
   ClusterBoxes boxes_;
-  Periods periods_;
+  Ends ends_;
   Images images_;
   std::vector<double> image_x_, image_y_;
   ClusterOrder image_order_;

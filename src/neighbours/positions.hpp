@@ -8,8 +8,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "neighbours/images.hpp"
-
 namespace sph {
 
 /// Vector loads may go beyond the last particle by less than this many.
@@ -57,13 +55,12 @@ class Positions {
     }
   }
 
-  /// Takes the positions of the images of these particles, behind the last of them.
-  void SetImages(std::span<const double> x, std::span<const double> y, double support, const Images& images) {
+  /// Takes the positions of images [m], behind those of n particles.
+  void SetImages(std::span<const double> x, std::span<const double> y, double support, std::size_t n) {
     const double per_unit = 1 / Unit(support);
-    const std::size_t n = x.size();
-    for (std::size_t k = 0; k < images.Size(); ++k) {
-      x_[n + k] = ToCoordinate(x[images.Sources()[k]] + images.ShiftX()[k], per_unit);
-      y_[n + k] = ToCoordinate(y[images.Sources()[k]] + images.ShiftY()[k], per_unit);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      x_[n + k] = ToCoordinate(x[k], per_unit);
+      y_[n + k] = ToCoordinate(y[k], per_unit);
     }
   }
 

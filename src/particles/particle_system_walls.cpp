@@ -92,10 +92,10 @@ void ParticleSystem::CatchAtWalls(std::size_t first, std::size_t last) {
 }
 
 void ParticleSystem::ReflectFromWalls() {
-  if (parameters.walls.empty() || parameters.wall.kind != WallKind::kReflect) return;
+  if (parameters.walls.empty() || parameters.wall.kind == WallKind::kPenalty) return;
   const PhaseTimer timer(phases_, "walls");
   Particles& p = particles_;
-  const double restitution = parameters.wall.restitution;
+  const double restitution = parameters.wall.kind == WallKind::kReflect ? parameters.wall.restitution : 0.0;
   double deepest = 0;  // [m], as far as a particle is put back
   for (const Wall& wall : parameters.walls) {
     auto& position = wall.Vertical() ? p.x : p.y;

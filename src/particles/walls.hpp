@@ -33,6 +33,7 @@ struct Wall {
 /// What happens to a particle inside a wall.
 enum class WallKind {
   kPenalty,  ///< pushed back in proportion to its depth, and damped (paper, IV-D)
+  kMirror,   ///< the fluid sees itself behind the wall, and particles that get there come to rest on it
   kReflect,  ///< put back on the wall, the normal velocity multiplied by -restitution (tutorial)
 };
 
@@ -41,6 +42,7 @@ struct WallParameters {
   double stiffness = 0;    ///< K [1/s^2]: a = K depth, along the normal
   double damping = 0;      ///< [1/s]: a -= damping (v - v_wall)
   double restitution = 0;  ///< speed after a reflection over the speed before
+  bool no_slip = false;    ///< of a mirror: tangential velocities are turned round in it, too
 };
 
 /// Depth [m] and speed into the wall [m/s] of a particle relative to it.

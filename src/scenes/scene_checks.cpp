@@ -50,6 +50,14 @@ void CheckRegion(const Scene& scene, const std::string& source) {
   }
 }
 
+void CheckMirrors(const Scene& scene, const std::string& source) {
+  if (scene.base.wall.kind != WallKind::kMirror) return;
+  if (scene.solver != "delta" || ReferenceDensity(scene.sph.equation_of_state) <= 0) {
+    throw UsageError(
+        "{}: walls.kind = 'mirror' takes solver = 'delta' and a liquid (equation_of_state.tait or ideal_gas)", source);
+  }
+}
+
 void CheckPeriods(const Scene& scene, const std::string& source) {
   const Periods& periods = scene.sph.periods;
   if (!periods.Any() && periods.box == Box{}) return;
@@ -101,6 +109,7 @@ void CheckWhole(const Scene& scene, const std::string& source) {
     throw UsageError("{}: reference = 'static-star' needs forces.star", source);
   }
   CheckPeriods(scene, source);
+  CheckMirrors(scene, source);
   CheckControls(scene, source);
 }
 

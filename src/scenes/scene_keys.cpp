@@ -12,7 +12,8 @@ namespace {
 constexpr std::int64_t kMostParticles = 100'000'000;
 const std::vector<std::string> kArrangements = {"random", "lattice", "jittered", "perturbed", "hexagonal"};
 const std::vector<std::string> kIntegrations = {"leapfrog", "leapfrog-published", "symplectic-euler"};
-const std::vector<std::string> kWallKinds = {"penalty", "reflect"};
+const std::vector<std::string> kWallKinds = {"penalty", "mirror", "reflect"};
+const std::vector<std::string> kSlips = {"free", "none"};
 const std::vector<std::string> kWallScalings = {"derived", "published"};
 const std::vector<std::string> kReferences = {"none", "static-star"};
 const std::vector<std::string> kSteps = {"fixed", "adaptive"};
@@ -114,7 +115,7 @@ std::span<const SceneKey> AllSceneKeys() {
        [](S& s, const V& v) { s.sph.flow = &AllInitialFlows()[v.AsChoice(FlowNames())]; }},
       {"fluid.flow_speed", "U of that flow [m/s]", kStart, false,
        Number(positive, [](S& s) -> double& { return s.sph.flow_speed; })},
-      {"fluid.masses", "of a gas: equal, or in proportion to the flow's density", kStart, false,
+      {"fluid.masses", "equal, or in proportion to the density that goes with the flow", kStart, false,
        [](S& s, const V& v) { s.sph.graded_masses = v.AsChoice(kMasses) == 1; }},
       {"fluid.velocity", "[vx, vy] at the start [m/s]", kStart, false,
        [](S& s, const V& v) { s.base.fluid.velocity = v.AsVec2(); }},
@@ -197,6 +198,8 @@ std::span<const SceneKey> AllSceneKeys() {
        Number(not_negative, [](S& s) -> double& { return s.base.wall.damping; })},
       {"walls.restitution", "speed after a reflection over speed before", kAny, false,
        Number({0, 1}, [](S& s) -> double& { return s.base.wall.restitution; })},
+      {"walls.slip", "of the fluid along walls that are mirrors", kStart, false,
+       [](S& s, const V& v) { s.base.wall.no_slip = v.AsChoice(kSlips) == 1; }},
       {"walls.scaling", "how stiffness and damping follow --particles", kStart, false,
        Choice(kWallScalings, [](S& s) -> WallScaling& { return s.wall_scaling; })},
       {"arrows.wall", "the wall that Left and Right move", kStart, false,

@@ -117,6 +117,90 @@ WaterInput<Real> Delta::WaterOf(const Arrays<Real>& arrays) const {
           .tensile_control = delta.tensile_control};
 }
 
+namespace {
+
+bool Mirrored(ImageOf image) { return image == ImageOf::kMirrorLow || image == ImageOf::kMirrorHigh; }
+
+/// Velocity of the walls that bound the fluid on this side [m/s].
+double WallVelocity(std::span<const Wall> walls, ImageOf image, bool vertical) {
+  const FluidSide side = vertical ? (image == ImageOf::kMirrorLow ? FluidSide::kRight : FluidSide::kLeft)
+                                  : (image == ImageOf::kMirrorLow ? FluidSide::kAbove : FluidSide::kBelow);
+  const auto found = std::ranges::find(walls, side, &Wall::fluid);
+  return found == walls.end() ? 0 : found->velocity;
+}
+
+}  // namespace
+
+template <typename Real>
+void Delta::CopyVelocitiesToImages(Arrays<Real>& arrays) const {
+  const Images& images = neighbours_.AllImages();
+  const std::size_t n = particles_.Size();
+  const Ends& ends = neighbours_.CurrentEnds();
+  const Particles& p = particles_;
+  const bool sticks = parameters.wall.no_slip;
+  const double mu = parameters_sph.viscosity;
+  const double c2 = Sound() * Sound();
+  // A velocity along the wall. Turned round alone, its profile would have a kink in its second derivative there, which
+  // is -(rho g - grad p)/mu: nothing accelerates at the wall.
+  const auto along = [&](double v, std::size_t i, double depth, double gravity, double gradient) {
+    if (!sticks) return v;
+    return mu > 0 ? -v - (density_[i] * gravity - c2 * gradient) / mu * depth * depth : -v;
+  };
+  const auto depth = [](const AxisEnds& axis, ImageOf image, double at) {
+    return image == ImageOf::kMirrorLow ? at - axis.low : axis.high - at;
+  };
+  for (std::size_t k = 0; k < images.Size(); ++k) {
+    const std::uint32_t i = images.Sources()[k];
+    double vx = static_cast<double>(arrays.vx[i]), vy = static_cast<double>(arrays.vy[i]);
+    if (const ImageOf image = images.InX()[k]; Mirrored(image)) {
+      vx = 2 * WallVelocity(parameters.walls, image, true) - vx;
+      vy = along(vy, i, depth(ends.x, image, p.x[i]), parameters.gravity.y, static_cast<double>(arrays.gradient_y[i]));
+    }
+    if (const ImageOf image = images.InY()[k]; Mirrored(image)) {
+      vy = 2 * WallVelocity(parameters.walls, image, false) - vy;
+      vx = along(vx, i, depth(ends.y, image, p.y[i]), parameters.gravity.x, static_cast<double>(arrays.gradient_x[i]));
+    }
+    arrays.vx[n + k] = static_cast<Real>(vx);
+    arrays.vy[n + k] = static_cast<Real>(vy);
+  }
+}
+
+template <typename Real>
+void Delta::CopyGradientToImages(Arrays<Real>& arrays) const {
+  const Images& images = neighbours_.AllImages();
+  const std::size_t n = particles_.Size();
+  for (std::size_t k = 0; k < images.Size(); ++k) {
+    const std::uint32_t i = images.Sources()[k];
+    // The part of the fluid's weight goes on behind a mirror as before it.
+    const double weight = density_[i] / (Sound() * Sound());
+    const auto turned = [&](ImageOf image, Real value, double gravity) {
+      return Mirrored(image) ? static_cast<Real>(2 * weight * gravity) - value : value;
+    };
+    arrays.gradient_x[n + k] = turned(images.InX()[k], arrays.gradient_x[i], parameters.gravity.x);
+    arrays.gradient_y[n + k] = turned(images.InY()[k], arrays.gradient_y[i], parameters.gravity.y);
+  }
+}
+
+template <typename Real>
+void Delta::CopyPressureToImages(Arrays<Real>& arrays) const {
+  const Images& images = neighbours_.AllImages();
+  const Particles& p = particles_;
+  const Ends& ends = neighbours_.CurrentEnds();
+  const double per_c2 = 1 / (Sound() * Sound());
+  /// From a particle to its image [m]; 0 where that is no mirror's.
+  const auto across = [](const AxisEnds& axis, ImageOf image, double at) {
+    if (image == ImageOf::kMirrorLow) return 2 * (axis.low - at);
+    return image == ImageOf::kMirrorHigh ? 2 * (axis.high - at) : 0.0;
+  };
+  for (std::size_t k = 0; k < images.Size(); ++k) {
+    const std::uint32_t i = images.Sources()[k];
+    const Vec2 apart{across(ends.x, images.InX()[k], p.x[i]), across(ends.y, images.InY()[k], p.y[i])};
+    const double weight = density_[i] * Dot(parameters.gravity, apart);  // [Pa]
+    arrays.pressure[p.Size() + k] = arrays.pressure[i] + static_cast<Real>(weight);
+    arrays.excess[p.Size() + k] = arrays.excess[i] + static_cast<Real>(weight * per_c2);
+  }
+}
+
 /// From the last step's time to this one's, by the rates halfway between.
 void Delta::AdvanceDensity() {
   const PhaseTimer timer(phases_, "density");
@@ -139,10 +223,10 @@ void Delta::AdvanceDensity() {
           }
         });
         SetPositions(mid_x_, mid_y_);
-        for (auto* values :
-             {&arrays.vx, &arrays.vy, &arrays.volume, &arrays.excess, &arrays.gradient_x, &arrays.gradient_y}) {
-          CopyToImages(*values);
-        }
+        CopyToImages(arrays.volume);
+        CopyVelocitiesToImages(arrays);
+        CopyGradientToImages(arrays);
+        CopyPressureToImages(arrays);
         ForEachBlock([&](const ListBlock& block) {
           ComputeDensityRates(InputOf(fluid), WaterOf(arrays), block, arrays.rate.data());
           const auto [first, last] = ParticlesOf(block);
@@ -170,10 +254,10 @@ void Delta::ComputeForces() {
             fluid.density[i] = static_cast<Real>(density_[i]);
           }
         });
-        for (auto* values :
-             {&arrays.vx, &arrays.vy, &arrays.volume, &arrays.excess, &arrays.pressure, &arrays.wholeness}) {
-          CopyToImages(*values);
-        }
+        CopyToImages(arrays.volume);
+        CopyToImages(arrays.wholeness);
+        CopyVelocitiesToImages(arrays);
+        CopyPressureToImages(arrays);
         const WaterSums<Real> sums{arrays.gradient_x.data(), arrays.gradient_y.data(), arrays.next_wholeness.data(),
                                    arrays.shift_x.data(), arrays.shift_y.data()};
         ForEachBlock([&](ListBlock& block) {
@@ -229,7 +313,8 @@ std::vector<StepLimit> Delta::StepLimits() const {
   const double spreading = parameters_sph.delta.diffusion * h * Sound();
   if (spreading > 0) limits.push_back({"density diffusion", plain * h * h / spreading});
   const double nu = parameters_sph.viscosity / Rho0();
-  if (nu > 0) limits.push_back({"viscosity", sharp * h * h / nu});
+  // Half of that, because the velocity at the step is extrapolated from two half steps (Adams-Bashforth).
+  if (nu > 0) limits.push_back({"viscosity", 0.5 * sharp * h * h / nu});
   return limits;
 }
 

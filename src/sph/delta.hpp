@@ -55,6 +55,14 @@ class Delta final : public ParticleSystemSPH {
   /// Speed of sound at the reference density [m/s].
   double Sound() const;
   void AdvanceDensity();
+  /// Of the images, from those of their sources: velocities, turned round in mirrors relative to the wall; the gradient
+  /// of density, turned round, too; and what follows from the weight of the fluid between an image and its source.
+  template <typename Real>
+  void CopyVelocitiesToImages(Arrays<Real>& arrays) const;
+  template <typename Real>
+  void CopyGradientToImages(Arrays<Real>& arrays) const;
+  template <typename Real>
+  void CopyPressureToImages(Arrays<Real>& arrays) const;
   void ComputeForces();
   template <typename Real>
   WaterInput<Real> WaterOf(const Arrays<Real>& arrays) const;

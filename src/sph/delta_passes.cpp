@@ -198,7 +198,7 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
                  hn::Sub(hn::Set(d, water.wholeness[j]), wholeness), bias);
     });
     const auto per_density = hn::Div(one, hn::Add(excess, set(water.rho0)));
-    const auto total = [&](auto push, auto drag, auto brake) HWY_ATTR {
+    const auto total = [&](auto push, [[maybe_unused]] auto drag, [[maybe_unused]] auto brake) HWY_ATTR {
       auto sum = hn::Mul(push, push_factor);
       if constexpr (kViscous) sum = hn::MulAdd(drag, drag_factor, sum);
       if constexpr (kArtificial) sum = hn::MulAdd(brake, brake_factor, sum);

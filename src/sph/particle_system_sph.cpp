@@ -26,10 +26,18 @@ void ParticleSystemSPH::InitialPositions() {
     p.vy[i] = p.vy_prev[i] = velocity.y;
   }
   if (!parameters_sph.graded_masses) return;
+  const double rho0 = ReferenceDensity(parameters_sph.equation_of_state);
   double sum = 0;  // [kg/m^3]
-  for (std::size_t i = 0; i < p.Size(); ++i) sum += FlowAt(p.Position(i)).density;
-  const double total = parameters.particle_mass * static_cast<double>(p.Size());
-  for (std::size_t i = 0; i < p.Size(); ++i) p.mass[i] = total * FlowAt(p.Position(i)).density / sum;
+  for (std::size_t i = 0; i < p.Size(); ++i) {
+    const FlowAtPoint flow = FlowAt(p.Position(i));
+    const auto density = [&](const auto& equation) { return equation.Density(flow.pressure); };
+    p.mass[i] = rho0 > 0 ? std::visit(density, parameters_sph.equation_of_state) : flow.density;
+    sum += p.mass[i];
+  }
+  // A liquid's particles fill equal areas; a gas has its mass.
+  const double area =
+      rho0 > 0 ? parameters.particle_mass / rho0 : parameters.particle_mass * static_cast<double>(p.Size()) / sum;
+  for (std::size_t i = 0; i < p.Size(); ++i) p.mass[i] *= area;
 }
 
 FlowAtPoint ParticleSystemSPH::FlowAt(Vec2 point) const {
@@ -57,12 +65,14 @@ void ParticleSystemSPH::ComputeAccelerations() {
 void ParticleSystemSPH::PrepareGrid() {
   const PhaseTimer timer(phases_, "grid");
   Particles& p = particles_;
-  const SearchTask task = neighbours_.NextTask(Travelled(), Support());
+  SearchTask task = neighbours_.NextTask(Travelled(), Support());
+  const Ends ends = EndsNow();
+  if (ends != neighbours_.CurrentEnds() && task == SearchTask::kNothing) task = SearchTask::kLists;
+  neighbours_.SetEnds(ends);
   std::visit(
       [&]<typename Real>(FluidArrays<Real>& fluid) {
         if (task == SearchTask::kSort) {
           WrapPositions();
-          neighbours_.SetPeriods(parameters_sph.periods);
           neighbours_.Sort(p.x, p.y, InitialSpacing(), Lanes<Real>());
           Reorder(neighbours_.Order());
           neighbours_.Cut(p.x, p.y);
@@ -71,7 +81,7 @@ void ParticleSystemSPH::PrepareGrid() {
         }
         if (task != SearchTask::kNothing) {
           neighbours_.Prepare(p.x, p.y, LastTravel(), LeastSkin());
-          ResizeArrays(p.Size() + neighbours_.PeriodicImages().Size());
+          ResizeArrays(p.Size() + neighbours_.AllImages().Size());
           if (!fluid.mass.empty()) CopyToImages(fluid.mass);
         }
         SetPositions(p.x, p.y);
@@ -92,13 +102,27 @@ void ParticleSystemSPH::WrapPositions() {
   }
 }
 
+/// Periodic ends, and walls that are mirrors.
+Ends ParticleSystemSPH::EndsNow() const {
+  Ends ends;
+  if (parameters.wall.kind == WallKind::kMirror) {
+    const Box legal = LegalRegion(parameters.walls);
+    ends = {{legal.x0, legal.x1}, {legal.y0, legal.y1}};
+  }
+  const Periods& periods = parameters_sph.periods;
+  if (periods.in_x) ends.x = {periods.box.x0, periods.box.x1, true};
+  if (periods.in_y) ends.y = {periods.box.y0, periods.box.y1, true};
+  return ends;
+}
+
 void ParticleSystemSPH::SetPositions(std::span<const double> x, std::span<const double> y) {
   std::visit(
       [&](auto& fluid) {
         ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {
           fluid.positions.Set(x, y, Support(), first, last);
         });
-        fluid.positions.SetImages(x, y, Support(), neighbours_.PeriodicImages());
+        neighbours_.AllImages().Place(neighbours_.CurrentEnds(), x, y, image_x_, image_y_);
+        fluid.positions.SetImages(image_x_, image_y_, Support(), x.size());
       },
       fluid_);
 }
@@ -146,7 +170,7 @@ void ParticleSystemSPH::ComputePressures() {
     const auto [first, last] = ParticlesOf(block);
     PrepareInteraction(first, last);
   });
-  if (neighbours_.PeriodicImages().Size() > 0) PrepareImages();
+  if (neighbours_.AllImages().Size() > 0) PrepareImages();
 }
 
 void ParticleSystemSPH::PrepareImages() {

@@ -39,7 +39,7 @@ struct ParametersSPH {
   DeltaParameters delta;
   const InitialFlow* flow = nullptr;  ///< null: at rest
   double flow_speed = 1;              ///< U of that flow [m/s]
-  bool graded_masses = false;         ///< a gas: in proportion to the flow's density, not equal
+  bool graded_masses = false;         ///< in proportion to the flow's density, not equal
   Periods periods;                    ///< periodic boundaries
 };
 
@@ -121,6 +121,9 @@ class ParticleSystemSPH : public ParticleSystem {
  private:
   double FastestSound() const;  // [m/s]
   void WrapPositions();
+  Ends EndsNow() const;
+
+  std::vector<double> image_x_, image_y_;  // [m]
 
   ParametersSPH initial_parameters_sph_;
 };
@@ -135,7 +138,7 @@ void ParticleSystemSPH::ForEachBlock(Work work) {
 
 template <typename Real>
 void ParticleSystemSPH::CopyToImages(std::vector<Real>& values) const {
-  const auto sources = neighbours_.PeriodicImages().Sources();
+  const auto sources = neighbours_.AllImages().Sources();
   for (std::size_t k = 0; k < sources.size(); ++k) values[particles_.Size() + k] = values[sources[k]];
 }
 
