@@ -276,7 +276,9 @@ void ParticleSystem::Draw(Canvas& canvas) const {
       break;
   }
   constexpr double kRadiusInSpacings = 0.35;  // disks stay apart where the fluid is at rest
-  canvas.DrawDisks(p.x, p.y, kRadiusInSpacings * InitialSpacing(), values);
+  const auto shown = ShownPositions();
+  canvas.DrawDisks(shown ? shown->first : p.x, shown ? shown->second : p.y, kRadiusInSpacings * InitialSpacing(),
+                   values);
   constexpr double kFar = 1e6;
   const Box view{-kFar, -kFar, kFar, kFar};
   for (const Wall& wall : parameters.walls) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/clock.hpp"
@@ -100,6 +101,10 @@ class ParticleSystem {
   virtual void InitialPositions();
   /// All parameters as they were constructed.
   virtual void RestoreParameters();
+  /// Positions [m] as the canvas shall see them, x and y, where that is not as they are.
+  virtual std::optional<std::pair<std::vector<double>, std::vector<double>>> ShownPositions() const {
+    return std::nullopt;
+  }
   /// A particle must not move further than this in a step [m].
   virtual double LongestMove() const;
 

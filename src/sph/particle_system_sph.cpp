@@ -102,6 +102,18 @@ void ParticleSystemSPH::WrapPositions() {
   }
 }
 
+std::optional<std::pair<std::vector<double>, std::vector<double>>> ParticleSystemSPH::ShownPositions() const {
+  if (!parameters_sph.periods.Any()) return std::nullopt;
+  const Particles& p = particles_;
+  std::pair<std::vector<double>, std::vector<double>> shown{p.x, p.y};
+  for (std::size_t i = 0; i < p.Size(); ++i) {
+    const Vec2 wrapped = parameters_sph.periods.Wrap(p.Position(i));
+    shown.first[i] = wrapped.x;
+    shown.second[i] = wrapped.y;
+  }
+  return shown;
+}
+
 /// Periodic ends, and walls that are mirrors.
 Ends ParticleSystemSPH::EndsNow() const {
   Ends ends;

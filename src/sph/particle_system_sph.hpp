@@ -81,6 +81,8 @@ class ParticleSystemSPH : public ParticleSystem {
   void InitialPositions() override;
   void RestoreParameters() override;
   double LongestMove() const override { return Support(); }
+  /// All in the periodic box; between two sorts some are a little beyond it.
+  std::optional<std::pair<std::vector<double>, std::vector<double>>> ShownPositions() const override;
   void ForgetNeighbours() override;
 
   /// Brings the neighbour lists up to date: sorts the particles into clusters and finds what is near each, where they
