@@ -50,6 +50,8 @@ std::span<const VerificationCase> AllVerificationCases() {
       VerificationCase{"still-water", "a tank at rest, H/dx = 45", false, Named("still-water"), &MeasureStillWater},
       VerificationCase{"poiseuille", "flow between plates from start-up on, 60 across", true, Named("poiseuille"),
                        &MeasurePoiseuille},
+      VerificationCase{"water-column", "front of a breaking column a x 2a, 10 000 particles", true,
+                       Named("water-column"), &MeasureWaterColumn},
       VerificationCase{"oscillating-drop", "a drop under a central force, three periods, R/dx = 50", true,
                        Named("oscillating-drop"), &MeasureOscillatingDrop},
       VerificationCase{"rotating-square", "a square that throws out arms, L/dx = 100", true, Named("rotating-square"),

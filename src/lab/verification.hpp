@@ -39,6 +39,7 @@ std::vector<Verdict> MeasureBreathingStar(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureTaylorGreen(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureEllipticDrop(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureStillWater(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureWaterColumn(ParticleSystemSPH& system);
 std::vector<Verdict> MeasurePoiseuille(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureOscillatingDrop(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureRotatingSquare(ParticleSystemSPH& system);
