@@ -140,6 +140,57 @@ TEST(Place, JitterMovesToTheRightByLessThanItself) {
   EXPECT_NE(PlaceWithSeed(jittered, 2), places);
 }
 
+TEST(Place, PerturbedStartsMoveEitherWayByLessThanTheJitterAndNowhereInTheMean) {
+  Block lattice = InABox(2500, Arrangement::kLattice);
+  Block perturbed = InABox(2500, Arrangement::kPerturbed);
+  perturbed.jitter = 0.002;
+  const auto sites = PlaceWithSeed(lattice, 1);
+  const auto places = PlaceWithSeed(perturbed, 1);
+  ASSERT_EQ(places.size(), sites.size());
+  Vec2 mean, squares;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Vec2 shift = places[k] - sites[k];
+    EXPECT_LE(std::max(std::abs(shift.x), std::abs(shift.y)), 0.002 * (1 + 1e-9));
+    mean = mean + (1 / 2500.0) * shift;
+    squares = squares + (1 / 2500.0) * Vec2{shift.x * shift.x, shift.y * shift.y};
+  }
+  // Uniform between -jitter and jitter: the variance is jitter^2/3; four standard deviations of both means.
+  const double deviation = 0.002 / std::sqrt(3.0);
+  EXPECT_NEAR(mean.x, 0, 4 * deviation / 50);
+  EXPECT_NEAR(mean.y, 0, 4 * deviation / 50);
+  EXPECT_NEAR(squares.x, deviation * deviation, 4 * 0.9 * deviation * deviation / 50);
+  EXPECT_NEAR(squares.y, deviation * deviation, 4 * 0.9 * deviation * deviation / 50);
+  EXPECT_NE(PlaceWithSeed(perturbed, 2), places);
+}
+
+/// Distance of nearest neighbours in a hexagonal lattice of one particle per spacing^2.
+double HexagonalPitch(const Block& block) { return Spacing(block) * std::sqrt(2 / std::sqrt(3.0)); }
+
+TEST(Place, HexagonalDiskIsFullHasACentreAndSixNeighboursForEachInside) {
+  Block disk = InADisk(4000, Arrangement::kHexagonal);
+  disk.spacing = 0.025;
+  const auto places = PlaceWithSeed(disk, 1);
+  const double pitch = HexagonalPitch(disk);
+  const double expected = disk.region.Area() / (disk.spacing * disk.spacing);  // equal areas: 2827
+  EXPECT_NEAR(static_cast<double>(places.size()), expected, 0.01 * expected);
+  EXPECT_NEAR(LeastDistance(places), pitch, 1e-12);
+  EXPECT_TRUE(std::ranges::any_of(places, [](Vec2 p) { return Length(p - Vec2{0.2, 0.1}) < 1e-12; }));
+  for (const Vec2 place : places) {
+    EXPECT_TRUE(disk.region.Contains(place));
+    if (Length(place - disk.region.centre) > 0.75 - 1.01 * pitch) continue;
+    EXPECT_EQ(std::ranges::count_if(places, [&](Vec2 p) { return Length(p - place) < 1.01 * pitch; }), 6 + 1);
+  }
+}
+
+TEST(Place, HexagonalBoxIsFilledByAboutTheNumberAskedForAndNoMore) {
+  const Block block = InABox(2000, Arrangement::kHexagonal);
+  const auto places = PlaceWithSeed(block, 1);
+  EXPECT_LE(places.size(), 2000u);
+  EXPECT_GT(places.size(), 1940u);  // a row, or a column, may not fit
+  EXPECT_NEAR(LeastDistance(places), HexagonalPitch(block), 1e-12);
+  for (const Vec2 place : places) EXPECT_TRUE(block.region.Contains(place));
+}
+
 TEST(PlaceAround, TakesTheLowestFreeSitesOfTheBlocksColumn) {
   Block block = InABox(4, Arrangement::kLattice);
   block.region.box = {0, 0, 0.2, 0.2};

@@ -98,6 +98,49 @@ TYPED_TEST(CubicSplineInEveryDimension, ValueAndGradientAreContinuousAtTheKnots)
   }
 }
 
+template <typename Kernel>
+class Wendland : public ::testing::Test {};
+using Wendlands = ::testing::Types<WendlandC2, WendlandC4>;
+TYPED_TEST_SUITE(Wendland, Wendlands);
+
+TYPED_TEST(Wendland, IntegratesToOneOverThePlane) { EXPECT_NEAR(Integral(TypeParam(kH), 2), 1, kQuadrature); }
+
+TYPED_TEST(Wendland, GradientIsTheValuesDerivativeOverR) {
+  const TypeParam kernel(kH);
+  const double scale = kernel.Value(0) / kH;
+  for (const double r : Distances(2 * kH)) EXPECT_NEAR(kernel.Gradient(r) * r, Slope(kernel, r), 1e-9 * scale) << r;
+  // W has no linear term, so that W'/r has a limit at 0: W''(0), here by a second difference.
+  const double delta = 1e-3 * kH;
+  EXPECT_NEAR(kernel.Gradient(0), 2 * (kernel.Value(delta) - kernel.Value(0)) / (delta * delta), 5e-3 * scale / kH);
+}
+
+TYPED_TEST(Wendland, FallsAllTheWayAndEndsAtTwiceH) {
+  const TypeParam kernel(kH);
+  for (int k = 0; k < 200; ++k) {
+    EXPECT_GT(kernel.Value(0.01 * k * kH), kernel.Value(0.01 * (k + 1) * kH)) << k;
+    EXPECT_LT(kernel.Gradient(0.01 * k * kH), 0) << k;
+  }
+  for (const double r : {2 * kH, std::nextafter(2 * kH, 10), 3 * kH, 1e100}) {
+    EXPECT_EQ(kernel.Value(r), 0) << r;
+    EXPECT_EQ(kernel.Gradient(r), 0) << r;
+  }
+}
+
+TYPED_TEST(Wendland, HasATransformThatIsNowhereNegativeSoThatParticlesDoNotPair) {
+  // What(K) = 2 pi int W J0(K r) r dr [Dehnen & Aly 2012]; that of the cubic spline is negative from K h = 5.9 or so
+  // on.
+  const auto transform = [](const auto& kernel, double k) {
+    return IntegralOverAll([&](double r) { return kernel.Value(r) * std::cyl_bessel_j(0.0, k * r / kH); }, 2, 2 * kH);
+  };
+  double least = 1, least_of_spline = 1;
+  for (double k = 0.5; k < 12; k += 0.25) {
+    least = std::min(least, transform(TypeParam(kH), k));
+    least_of_spline = std::min(least_of_spline, transform(CubicSpline<2>(kH), k));
+  }
+  EXPECT_GT(least, 0);
+  EXPECT_LT(least_of_spline, 0);
+}
+
 TEST(Poly6, EndsAtHAndFallsAllTheWay) {
   const Poly6 kernel(kH);
   EXPECT_EQ(kernel.Value(kH), 0);
@@ -171,6 +214,8 @@ TEST(Kernels, RefuseASmoothingLengthThatIsNotPositive) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_DEATH(CubicSpline<2>(0), "h = 0");
   EXPECT_DEATH(Poly6(-1), "h = -1");
+  EXPECT_DEATH(WendlandC2(0), "h = 0");
+  EXPECT_DEATH(WendlandC4(-2), "h = -2");
   EXPECT_DEATH(Spiky(std::numeric_limits<double>::quiet_NaN()), "h = nan");
   EXPECT_DEATH(ViscosityKernel(0), "h = 0");
 }
