@@ -20,6 +20,13 @@ struct Points {
   std::vector<double> x, y;
 };
 
+Ends Periodic(bool in_x, bool in_y) {
+  Ends ends;
+  if (in_x) ends.x = {kBox.x0, kBox.x1, true};
+  if (in_y) ends.y = {kBox.y0, kBox.y1, true};
+  return ends;
+}
+
 /// In the box, and up to `drift` out of it.
 Points Scattered(std::size_t n, double drift, std::uint64_t seed) {
   Random random(seed);
@@ -29,6 +36,17 @@ Points Scattered(std::size_t n, double drift, std::uint64_t seed) {
     points.y.push_back(random.Uniform(kBox.y0 - drift, kBox.y1 + drift));
   }
   return points;
+}
+
+/// From the source of each image to the image [m].
+std::vector<Vec2> Shifts(const Images& images, const Ends& ends, const Points& points) {
+  std::vector<double> x, y;
+  images.Place(ends, points.x, points.y, x, y);
+  std::vector<Vec2> shifts;
+  for (std::size_t k = 0; k < images.Size(); ++k) {
+    shifts.push_back(Vec2{x[k], y[k]} - Vec2{points.x[images.Sources()[k]], points.y[images.Sources()[k]]});
+  }
+  return shifts;
 }
 
 /// How often a particle i sees a copy of j, shifted by (a, b) periods: by particle and shift.
@@ -53,10 +71,11 @@ Seen SeenByCopies(const Points& p, const Periods& periods) {
   return seen;
 }
 
-Seen SeenByImages(const Points& p, const Images& images) {
+Seen SeenByImages(const Points& p, const Images& images, const Ends& ends) {
+  const std::vector<Vec2> shifts = Shifts(images, ends, p);
   Seen seen;
   for (std::size_t k = 0; k < images.Size(); ++k) {
-    const double shift_x = images.ShiftX()[k], shift_y = images.ShiftY()[k];
+    const auto [shift_x, shift_y] = shifts[k];
     const int a = static_cast<int>(std::lround(shift_x / kBox.Width()));
     const int b = static_cast<int>(std::lround(shift_y / kBox.Height()));
     for (std::size_t i = 0; i < p.x.size(); ++i) {
@@ -73,6 +92,7 @@ struct Directions {
 class ImagesOf : public testing::TestWithParam<Directions> {
  protected:
   static Periods ThePeriods() { return {kBox, GetParam().in_x, GetParam().in_y}; }
+  static Ends TheEnds() { return Periodic(GetParam().in_x, GetParam().in_y); }
 };
 INSTANTIATE_TEST_SUITE_P(Directions, ImagesOf,
                          testing::Values(Directions{"x", true, false}, Directions{"y", false, true},
@@ -84,10 +104,10 @@ TEST_P(ImagesOf, ShowEveryPairWithinReachAcrossASeamOnce) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
       const Points points = Scattered(150, drift, seed);
       Images images;
-      images.Find(ThePeriods(), kReach, points.x, points.y);
+      images.Find(TheEnds(), kReach, points.x, points.y);
       const Seen expected = SeenByCopies(points, ThePeriods());
       EXPECT_GT(expected.size(), 50u);
-      ASSERT_EQ(SeenByImages(points, images), expected) << "drift " << drift << ", seed " << seed;
+      ASSERT_EQ(SeenByImages(points, images, TheEnds()), expected) << "drift " << drift << ", seed " << seed;
     }
   }
 }
@@ -95,7 +115,7 @@ TEST_P(ImagesOf, ShowEveryPairWithinReachAcrossASeamOnce) {
 TEST_P(ImagesOf, AreNoMoreThanTheRimHolds) {
   const Points points = Scattered(2000, 0, 1);
   Images images;
-  images.Find(ThePeriods(), kReach, points.x, points.y);
+  images.Find(TheEnds(), kReach, points.x, points.y);
   const double wide = kBox.Width() + (GetParam().in_x ? 2 * kReach : 0);
   const double high = kBox.Height() + (GetParam().in_y ? 2 * kReach : 0);
   const double expected = 2000 * (wide * high / (kBox.Width() * kBox.Height()) - 1);
@@ -105,21 +125,20 @@ TEST_P(ImagesOf, AreNoMoreThanTheRimHolds) {
 TEST(Images, OfNothingPeriodicAreNone) {
   const Points points = Scattered(100, 0.1, 1);
   Images images;
-  images.Find({kBox, true, true}, kReach, points.x, points.y);
+  images.Find(Periodic(true, true), kReach, points.x, points.y);
   EXPECT_GT(images.Size(), 0u);
-  images.Find({kBox, false, false}, kReach, points.x, points.y);
+  images.Find({}, kReach, points.x, points.y);
   EXPECT_EQ(images.Size(), 0u);
 }
 
 TEST(Images, KeepSourceAndShiftTogetherWhenTheyAreReordered) {
   const Points points = Scattered(60, 0, 4);
   Images images;
-  images.Find({kBox, true, true}, kReach, points.x, points.y);
+  images.Find(Periodic(true, true), kReach, points.x, points.y);
   const auto all = [&] {
     std::multiset<std::tuple<std::uint32_t, double, double>> result;
-    for (std::size_t k = 0; k < images.Size(); ++k) {
-      result.insert({images.Sources()[k], images.ShiftX()[k], images.ShiftY()[k]});
-    }
+    const std::vector<Vec2> shifts = Shifts(images, Periodic(true, true), points);
+    for (std::size_t k = 0; k < images.Size(); ++k) result.insert({images.Sources()[k], shifts[k].x, shifts[k].y});
     return result;
   };
   const auto before = all();
@@ -129,6 +148,30 @@ TEST(Images, KeepSourceAndShiftTogetherWhenTheyAreReordered) {
   images.Reorder(backwards);
   EXPECT_EQ(all(), before);
   EXPECT_EQ(images.Sources()[images.Size() - 1], first);
+}
+
+TEST(Images, InMirrorsAreTheReflectionsOfEveryParticleWithinReachOfThem) {
+  const Points points = Scattered(300, 0, 7);
+  const Ends ends{{kBox.x0, kBox.x1}, {kBox.y0}};  // left and right, and a floor
+  Images images;
+  images.Find(ends, kReach, points.x, points.y);
+  std::vector<double> x, y;
+  images.Place(ends, points.x, points.y, x, y);
+  std::multiset<std::tuple<std::uint32_t, double, double>> found, expected;
+  for (std::size_t k = 0; k < images.Size(); ++k) found.insert({images.Sources()[k], x[k], y[k]});
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    std::vector<double> xs = {points.x[i]}, ys = {points.y[i]};
+    if (points.x[i] - kBox.x0 < kReach) xs.push_back(2 * kBox.x0 - points.x[i]);
+    if (kBox.x1 - points.x[i] < kReach) xs.push_back(2 * kBox.x1 - points.x[i]);
+    if (points.y[i] - kBox.y0 < kReach) ys.push_back(2 * kBox.y0 - points.y[i]);
+    for (const double at_x : xs) {
+      for (const double at_y : ys) {
+        if (at_x != points.x[i] || at_y != points.y[i]) expected.insert({i, at_x, at_y});
+      }
+    }
+  }
+  EXPECT_GT(expected.size(), 100u);
+  EXPECT_EQ(found, expected);
 }
 
 RC_GTEST_PROP(Periods, WrapIntoTheBoxByWholePeriods, ()) {
@@ -148,7 +191,7 @@ TEST(Images, RefuseAPeriodOfLessThanTwiceTheReach) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const Points points = Scattered(3, 0, 1);
   Images images;
-  EXPECT_DEATH(images.Find({kBox, false, true}, 0.75, points.x, points.y), "too short for a reach of 0.75 m");
+  EXPECT_DEATH(images.Find(Periodic(false, true), 0.75, points.x, points.y), "too short for a reach of 0.75 m");
 }
 
 }  // namespace
