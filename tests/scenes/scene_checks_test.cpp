@@ -33,6 +33,30 @@ TEST(SceneChecks, RefuseHalfAStarAndAStarOfAnotherGas) {
   EXPECT_TRUE(Has(Refusal(kScene, {"reference=static-star"}), {"needs forces.star"}));
 }
 
+TEST(SceneChecks, RefuseAPeriodicBoxWithoutDirectionsAndDirectionsWithoutABox) {
+  EXPECT_TRUE(Has(Refusal(kScene, {"periodic.box=[0,0,2,2]"}), {"FILE", "periodic takes both", "directions"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"periodic.directions=x"}), {"FILE", "periodic takes both", "box"}));
+  EXPECT_EQ(Refusal(kScene, {"periodic.box=[0,0,2,2]", "periodic.directions=both"}), "accepted");
+  EXPECT_TRUE(Has(Refusal(kScene, {"periodic.box=[0,0,2,2]", "periodic.directions=z"}), {"'z'", "x", "both"}));
+}
+
+TEST(SceneChecks, RefuseAPeriodOfAFewSmoothingLengthsInADirectionThatRepeats) {
+  const auto with = [](const std::string& box, const std::string& directions) {
+    return Refusal(kScene, {"periodic.box=" + box, "periodic.directions=" + directions});
+  };
+  EXPECT_TRUE(Has(with("[0,0,1.5,2]", "x"), {"FILE", "periodic.box = [0, 0, 1.5, 2]", "too small", "1.6"}));
+  EXPECT_TRUE(Has(with("[0,0,1.5,2]", "both"), {"too small"}));
+  EXPECT_EQ(with("[0,0,1.5,2]", "y"), "accepted");
+}
+
+TEST(SceneChecks, RefuseFlowsKernelsAndStartsThatAreNone) {
+  EXPECT_TRUE(Has(Refusal(kScene, {"fluid.flow=taylor-gren"}), {"fluid.flow", "'taylor-gren'", "taylor-green"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"fluid.arrange=hexagon"}), {"fluid.arrange", "hexagonal"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"method.kernel=wendland"}), {"method.kernel", "wendland-c2", "wendland-c4"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"fluid.flow_speed=0"}), {"fluid.flow_speed", "> 0"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"method.diffusion=2"}), {"method.diffusion"}));
+}
+
 TEST(SceneChecks, RefuseControlsOfWhatIsNotThere) {
   EXPECT_TRUE(
       Has(Refusal(kScene, {"arrows={wall='flor',speed=1}"}), {"arrows.wall", "'flor'", "Did you mean 'floor'?"}));
