@@ -36,11 +36,11 @@ struct ParametersSPH {
   double viscosity = 0;            ///< mu [Pa s]; solver mueller only
   bool mueller_published = false;  ///< solver mueller: with the mistakes of its published program
   Precision precision = Precision::kDouble;
-  DeltaParameters delta;
+  DeltaParameters delta = {};
   const InitialFlow* flow = nullptr;  ///< null: at rest
   double flow_speed = 1;              ///< U of that flow [m/s]
   bool graded_masses = false;         ///< in proportion to the flow's density, not equal
-  Periods periods;                    ///< periodic boundaries
+  Periods periods = {};               ///< periodic boundaries
 };
 
 class ParticleSystemSPH : public ParticleSystem {
