@@ -165,7 +165,9 @@ TEST(Delta, ABlockThatDropsInHasTheReferenceDensityAndMakesNoTrouble) {
   ASSERT_EQ(p.Size(), 225u);
   const auto density = system->Density();
   for (std::size_t i = 0; i < p.Size(); ++i) {
-    if (p.id[i] >= 200) EXPECT_NEAR(density[i], 1, 1e-3);
+    if (p.id[i] >= 200) {
+      EXPECT_NEAR(density[i], 1, 1e-3);
+    }
   }
   Advance(*system, 200);
 }
