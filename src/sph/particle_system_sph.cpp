@@ -42,11 +42,10 @@ void ParticleSystemSPH::InitialPositions() {
 
 FlowAtPoint ParticleSystemSPH::FlowAt(Vec2 point) const {
   if (parameters_sph.flow == nullptr) return {};
-  return parameters_sph.flow->at(
-      point,
-      {parameters.fluid.region.Bounds(), parameters_sph.flow_speed, ReferenceDensity(parameters_sph.equation_of_state),
-       parameters.particle_mass * static_cast<double>(parameters.fluid.particles), parameters.gravity,
-       parameters.central_force});
+  return parameters_sph.flow->at(point, {parameters.fluid.region.Bounds(), parameters_sph.flow_speed,
+                                         ReferenceDensity(parameters_sph.equation_of_state),
+                                         parameters.particle_mass * static_cast<double>(parameters.fluid.particles),
+                                         parameters.gravity, parameters.central_force});
 }
 
 void ParticleSystemSPH::ForgetNeighbours() { neighbours_.Invalidate(); }

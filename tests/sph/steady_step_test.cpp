@@ -12,7 +12,9 @@ namespace {
 std::atomic<long> allocations = 0;
 }  // namespace
 
-// Replace the program's allocation functions by ones that count.
+// Replace the program's allocation functions by ones that count. The compiler sees one of each pair through and takes
+// them for mismatched.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
