@@ -1,7 +1,6 @@
 #include "sph/delta.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace sph {
 
@@ -29,7 +28,7 @@ void Delta::InitialPositions() {
                                parameters_sph.equation_of_state);
     }
   }
-  density_step_ = 0;
+  density_step_ = -1;
   std::visit(
       [](auto& arrays) {
         for (auto* values : arrays.All()) values->clear();
@@ -88,10 +87,20 @@ void Delta::AddSpatialInteraction(const ListBlock& block) {
 
 void Delta::ComputeAccelerations() {
   if (IsGas()) return ParticleSystemSPH::ComputeAccelerations();
+  const auto turn_over = [&] {
+    std::visit([](auto& arrays) { arrays.wholeness.swap(arrays.next_wholeness); }, arrays_);
+  };
+  const bool fresh = density_step_ < 0;
+  const bool stepped = !fresh && density_step_ != Steps();
+  // Only once a step, so that who looks at the fields again finds the same and changes nothing.
+  if (stepped) turn_over();
   PrepareGrid();
   density_.resize(particles_.Size(), Rho0());
-  if (density_step_ != Steps()) AdvanceDensity();
+  if (stepped) AdvanceDensity();
   density_step_ = Steps();
+  ComputeForces();
+  if (!fresh) return;
+  turn_over();  // the first forces did not know where the surface is
   ComputeForces();
 }
 
@@ -267,7 +276,6 @@ void Delta::ComputeForces() {
           AddGravity(first, last);
           AddMotionDamping(first, last);
         });
-        arrays.wholeness.swap(arrays.next_wholeness);
       },
       fluid_, parameters_sph.equation_of_state);
 }

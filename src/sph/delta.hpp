@@ -68,7 +68,7 @@ class Delta final : public ParticleSystemSPH {
   WaterInput<Real> WaterOf(const Arrays<Real>& arrays) const;
 
   std::vector<double> density_;  // [kg/m^3], of a liquid
-  long density_step_ = 0;        // the step that density_ is of
+  long density_step_ = -1;       // the step that density_ is of; -1 at the start, before any forces
   std::vector<double> mid_x_, mid_y_;
   std::variant<Arrays<float>, Arrays<double>> arrays_;
 };
