@@ -17,6 +17,7 @@
 #include "commands/listing.hpp"
 #include "commands/render.hpp"
 #include "commands/run.hpp"
+#include "commands/stress.hpp"
 #include "commands/verify.hpp"
 #include "scenes/catalogue.hpp"
 #include "window/window.hpp"
@@ -42,6 +43,7 @@ class CommandLine {
     AddFigures();
     AddVerify();
     AddBench();
+    AddStress();
     app_.footer("Without a command: the scene in a window. `sphlab COMMAND --help` says what a command takes.\n" +
                 exit_codes);
   }
@@ -84,7 +86,10 @@ class CommandLine {
   }
 
   void AddRun() {
-    CLI::App* command = Add("run", "a scene without a picture; no GL is loaded", [this] { return RunScene(run_); });
+    CLI::App* command = Add("run", "a scene without a picture; no GL is loaded", [this] {
+      run_.scene_given = run_scene_->count() > 0;
+      return RunScene(run_);
+    });
     AddSceneOptions(*command, run_.common.request);
     AddOutputOptions(*command, run_.common);
     auto* until =
@@ -96,7 +101,16 @@ class CommandLine {
     command->add_option("--every", run_.every, "simulated time between the rows of --csv [s]")
         ->check(FinitePositive())
         ->needs(csv);
+    command->add_option("--checkpoint", run_.checkpoint, "file that the run is saved in, to go on from")
+        ->check(
+            CLI::Validator([](std::string& name) { return name.empty() ? "a file's name" : std::string(); }, "FILE"));
+    command->add_option("--checkpoint-every", run_.checkpoint_every, "wall time between two savings [s]")
+        ->check(FinitePositive())
+        ->capture_default_str()
+        ->needs("--checkpoint");
+    command->add_option("--restart", run_.restart, "checkpoint to go on from");
     AddKeysOption(*command, run_.common);
+    run_scene_ = command->get_option("SCENE");
   }
 
   void AddScenes() {
@@ -139,11 +153,32 @@ class CommandLine {
 
   void AddBench() {
     CLI::App* command =
-        Add("bench", "what a particle and step costs, and with which error", [this] { return BenchSpeed(bench_); });
-    command->add_option("CASE", bench_case_, "speed")->check(CLI::IsMember({"speed"}))->capture_default_str();
-    command->add_option("--out", bench_.out, "folder of speed.csv, speed.txt, speed.png, skips.csv, skips.txt")
-        ->required();
+        Add("bench", "run time against error of the cases of verify; speed", [this] { return Bench(bench_); });
+    command->add_option("CASE", bench_.cases, "cases of verify, default all; speed: what a particle and step costs");
+    command->add_option("--out", bench_.out, "folder of the tables, CSV files and plots")->required();
     command->add_flag("--quick", bench_.quick, "small systems only");
+    command->add_flag("--peers", bench_.peers, "PySPH beside the cases that it has examples of");
+    command->add_option("--longest", bench_.longest, "a run of a case that would take longer is left out [s]")
+        ->check(FinitePositive())
+        ->capture_default_str();
+    command->add_option("--threads", bench_.threads, "of the cases' runs; of one its processor time is taken")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+  }
+
+  void AddStress() {
+    CLI::App* command = Add("stress", "numerical stability: limits, starts, sizes, rough handling, random scenes",
+                            [this] { return Stress(stress_); });
+    command->add_option("TEST", stress_.tests, "names of tests; default: all, some twenty minutes");
+    command->add_option("--out", stress_.out, "folder of maps and plots (PNG) and their numbers (CSV)");
+    command->add_flag("--quick", stress_.options.quick, "small systems and short runs, about half a minute");
+    command->add_option("--count", stress_.options.count, "of starts or random scenes")
+        ->check(CLI::Range(1L, 100'000'000L));
+    command->add_option("--seed", stress_.options.seed, "of the first of them")->capture_default_str();
+    command->add_option("--threads", stress_.options.threads, "0: as many as there are processors")
+        ->check(CLI::Range(0, 4096));
+    command->add_flag("--json", stress_.json,
+                      "an array of {test, what, metric, value, bar, holds, note, wall_seconds}");
   }
 
   /// What stands before a command is read as the window's, and would do nothing.
@@ -204,12 +239,13 @@ class CommandLine {
   SceneRequest window_;
   RenderOptions render_;
   RunOptions run_;
+  CLI::Option* run_scene_ = nullptr;
   SceneRequest info_;
   CLI::Option* info_scene_ = nullptr;
   std::string figures_out_;
   BenchOptions bench_;
   VerifyOptions verify_;
-  std::string bench_case_ = "speed";
+  StressCommand stress_;
   bool json_ = false;
 };
 

@@ -1,7 +1,8 @@
-// Wall time, and how much of it each phase of a step took.
+// Wall time, how much of it each phase of a step took, and processor time.
 #pragma once
 
 #include <chrono>
+#include <ctime>
 #include <map>
 #include <string>
 #include <string_view>
@@ -17,6 +18,20 @@ class Stopwatch {
  private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_ = Clock::now();
+};
+
+/// Processor time of all threads of the program: what others do on the machine meanwhile is not in it.
+class ProcessorStopwatch {
+ public:
+  double Seconds() const { return Now() - start_; }  ///< since construction
+
+ private:
+  static double Now() {
+    std::timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+  double start_ = Now();
 };
 
 /// Seconds by phase name, summed over the steps.

@@ -1,6 +1,7 @@
 // FNV-1a, 64 bits: a fingerprint of a state, to compare runs bit by bit.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -20,6 +21,9 @@ class Hash {
       state_ = (state_ ^ (bits & 0xff)) * 0x100000001b3ULL;
       bits >>= 8;
     }
+  }
+  void Add(std::span<const std::byte> bytes) {
+    for (const std::byte byte : bytes) state_ = (state_ ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3ULL;
   }
   std::uint64_t Value() const { return state_; }
 

@@ -63,6 +63,11 @@ class FrameWriter {
     recorder_.Record(file, InitialView(session.CurrentScene()), session.colouring,
                      [&](Canvas& canvas) { session.System().Draw(canvas); });
   }
+  /// Forgets the frames that are due at or after `time` [s], which then are to be drawn again: the system has gone
+  /// back.
+  void Rewind(double time, double fps) {
+    while (frames_ > 0 && static_cast<double>(frames_ - 1) / fps >= time) --frames_;
+  }
   void WriteFrame(const Session& session) { Write(session, FrameFile(folder_, frames_++)); }
   /// What the key s asks for: one more picture, named after the frame that it comes before.
   void WriteSaved(const Session& session) { Write(session, folder_ / fmt::format("saved_{:06}.png", frames_)); }
@@ -100,8 +105,10 @@ ExitCode RenderScene(const RenderOptions& options) {
     if (session.quit_requested) break;
     if (session.System().Time() >= due - kRoundOff * session.System().parameters.time_step) {
       writer.WriteFrame(session);
-    } else if (!session.StepUnlessPaused()) {
-      break;  // no later key can be reached
+    } else {
+      const long before = session.System().Steps();
+      if (!session.StepUnlessPaused()) break;  // no later key can be reached
+      if (session.System().Steps() <= before) writer.Rewind(session.System().Time(), options.fps);
     }
   }
   writer.Finish();

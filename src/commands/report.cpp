@@ -61,6 +61,8 @@ nlohmann::ordered_json ReportRun(const Session& session, double wall_seconds) {
   report["state_hash"] = fmt::format("{:016x}", d.state_hash);
   report["errors"] = ErrorsAgainstReference(session);
   report["memory_bytes"] = system.Bytes();
+  report["retreats"] = session.CurrentGuard().Retreats();
+  report["guard_bytes"] = session.CurrentGuard().Bytes();
   return report;
 }
 

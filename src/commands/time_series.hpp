@@ -1,7 +1,9 @@
 // The CSV file of `run --csv`: sums over the particles against time.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "particles/particle_system.hpp"
 
@@ -16,8 +18,15 @@ class TimeSeries {
 
   /// Adds a row if one is due.
   void Sample(const ParticleSystem& system);
+  /// Takes back the rows of later times than the system's, which has gone back.
+  void Rewind(const ParticleSystem& system);
   /// Adds the last row and writes the file, whole or not at all.
   void Finish(const ParticleSystem& system);
+  /// Writes the file as it is now.
+  void Write() const;
+
+  /// The rows so far, and when the next is due.
+  void Transfer(Archive& archive);
 
  private:
   void AddRow(const ParticleSystem& system);
@@ -26,7 +35,14 @@ class TimeSeries {
   double every_;
   double next_ = 0;      // [s]
   long last_step_ = -1;  // of the last row
-  std::string text_;
+  /// Begins in text_ at `begin`.
+  struct Row {
+    double time = 0;  ///< [s]
+    double due = 0;   ///< next_ before it [s]
+    std::uint64_t begin = 0;
+  };
+  std::string head_, text_;
+  std::vector<Row> rows_;
 };
 
 }  // namespace sph

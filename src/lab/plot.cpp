@@ -19,7 +19,8 @@ constexpr double kMajorTick = 8;
 constexpr double kMinorTick = 4;
 constexpr double kTickLabelGap = 13;
 
-constexpr double kInkUnderLegend = 0.003;  // mean opacity from which on the legend goes beside the plot
+constexpr double kInkUnderLegend = 0.003;   // mean opacity from which on the legend goes beside the plot
+constexpr double kLargeLegend = 400 * 200;  // area from which on the sum of the opacity counts, not its mean
 
 void DrawGrid(Surface& surface, const PlotLayout& layout) {
   const Box& f = layout.frame;
@@ -121,7 +122,8 @@ Image Draw(const Plot& plot, int width, int height) {
   LegendPlace legend;
   if (legend_size.x > 0) {
     legend = EmptiestPlace(data, layout.frame, legend_size, layout.unit);
-    if (legend.ink > kInkUnderLegend && legend_size.x < 0.5 * width) {
+    const double large = legend_size.x * legend_size.y / (kLargeLegend * layout.unit * layout.unit);
+    if (legend.ink * std::max(1.0, large) > kInkUnderLegend && legend_size.x < 0.5 * width) {
       layout = LayOut(plot, width, height, legend_size);
       data = DataLayer(plot, layout, width, height);
       legend.box = layout.legend;

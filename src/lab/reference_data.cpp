@@ -8,10 +8,10 @@
 
 namespace sph {
 
-std::vector<Vec2> ReadReference(const std::string& name) {
+std::vector<std::vector<double>> ReadReferenceRows(const std::string& name, std::size_t columns) {
   const auto file = AssetsFolder() / "reference" / (name + ".csv");
   std::ifstream stream(file);
-  std::vector<Vec2> points;
+  std::vector<std::vector<double>> rows;
   bool past_names = false;
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with('#')) continue;
@@ -19,16 +19,26 @@ std::vector<Vec2> ReadReference(const std::string& name) {
       past_names = true;
       continue;
     }
-    Vec2 point;
+    std::vector<double> row(columns);
+    const char* at = line.data();
     const char* const end = line.data() + line.size();
-    const auto [comma, first] = std::from_chars(line.data(), end, point.x);
-    const bool two = first == std::errc() && comma != end && *comma == ',';
-    if (!two || std::from_chars(comma + 1, end, point.y).ec != std::errc()) {
-      throw TroubleError("{}: '{}' does not begin with two numbers", file.string(), line);
+    for (double& value : row) {
+      if (&value != row.data() && at != end && *at == ',') ++at;
+      const auto [after, error] = std::from_chars(at, end, value);
+      if (error != std::errc()) {
+        throw TroubleError("{}: '{}' does not begin with {} numbers", file.string(), line, columns);
+      }
+      at = after;
     }
-    points.push_back(point);
+    rows.push_back(row);
   }
-  if (points.empty()) throw TroubleError("{}: cannot be read, or is empty", file.string());
+  if (rows.empty()) throw TroubleError("{}: cannot be read, or is empty", file.string());
+  return rows;
+}
+
+std::vector<Vec2> ReadReference(const std::string& name) {
+  std::vector<Vec2> points;
+  for (const auto& row : ReadReferenceRows(name, 2)) points.push_back({row[0], row[1]});
   return points;
 }
 

@@ -7,9 +7,10 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "particles/diagnostics.hpp"
+#include "particles/guard.hpp"
 #include "scenes/build.hpp"
+#include "scenes/changes.hpp"
 #include "scenes/request.hpp"
-#include "scenes/scene_file.hpp"
 
 namespace sph {
 namespace {
@@ -142,6 +143,26 @@ Comparison Masses(std::size_t n) {
   return {"masses", kNsOfAStep, Steps("one heavier by 1e-16", unequal), Steps("equal", WarmTank(Tank(n))), kTwin};
 }
 
+/// The guard notes the state now and then, and looks after every step whether there is trouble.
+Comparison Guarded(std::size_t most) {
+  const std::size_t n = most / 10;
+  const System system = WarmTank(Tank(n));
+  const auto guard = std::make_shared<Guard>(*system, 3);
+  const System alone = WarmTank(Tank(n));
+  const auto time = [](const System& of, const std::function<void()>& step) -> std::function<double()> {
+    return [of, step] {
+      constexpr long kSteps = 2 * Guard::kStepsApart;  // as many notes as in the long run
+      const Stopwatch watch;
+      for (long k = 0; k < kSteps; ++k) step();
+      return 1e9 * watch.Seconds() / (static_cast<double>(kSteps) * static_cast<double>(of->State().Size()));
+    };
+  };
+  Comparison comparison{"guard", kNsOfAStep, Steps("states kept to go back to", system), Steps("none", alone), kTwin};
+  comparison.with.run = time(system, [guard] { guard->Step(); });
+  comparison.without.run = time(alone, [alone] { alone->Step(); });
+  return comparison;
+}
+
 Comparison EnergiesAndMomenta(std::size_t n) {
   return {"diagnostics", kNsOfAStep,
           Steps("at every step", WarmTank(Tank(n)), [](ParticleSystemSPH& system) { Diagnose(system); }),
@@ -183,7 +204,7 @@ class DamBreak {
     system_ = MakeSystem(scene);
     const Stopwatch watch;
     RunUntil(kBreak);
-    Press("d", scene);
+    PressSceneKey("d", scene, *system_);
     RunUntil(kEnd);
     return watch.Seconds() / kEnd;
   }
@@ -193,21 +214,6 @@ class DamBreak {
   void RunUntil(double time) {
     while (system_->Time() < time && !system_->Trouble()) system_->Step();
     if (system_->Trouble()) throw TroubleError("bench: the dam broke down: {}", system_->Trouble()->Message());
-  }
-
-  void Press(const std::string& key, Scene& scene) {
-    for (const SceneControl& control : scene.controls) {
-      if (control.press != key) continue;
-      for (const auto& action : control.actions) {
-        if (const auto* move = std::get_if<MoveWallAction>(&action)) {
-          FindWall(scene.base.walls, move->wall)->at = move->to;
-        } else {
-          SetWhileRunning(scene, std::get<SetAction>(action).key, std::get<SetAction>(action).to);
-        }
-      }
-    }
-    system_->parameters.walls = scene.base.walls;
-    system_->parameters.motion_damping = scene.base.motion_damping;
   }
 
   std::vector<std::string> settings_;
@@ -241,7 +247,7 @@ SkipResult Measure(const Comparison& comparison, int repetitions) {
 std::vector<std::function<Comparison()>> SkipComparisons(std::size_t n) {
   std::vector<std::function<Comparison()>> comparisons;
   for (const auto make :
-       {&Lists, &Walls, &WallsWhereParticlesAre, &Viscosity, &Masses, &EnergiesAndMomenta, &Drawing}) {
+       {&Lists, &Walls, &WallsWhereParticlesAre, &Viscosity, &Masses, &Guarded, &EnergiesAndMomenta, &Drawing}) {
     comparisons.emplace_back([make, n] { return make(n); });
   }
   comparisons.emplace_back(&AdaptiveStep);

@@ -13,39 +13,40 @@ struct Errors {
 };
 
 /// [The measures of PySPH's taylor_green.py.]
-Errors ErrorsNow(ParticleSystemSPH& system) {
-  if (system.Trouble()) return {};
-  system.ComputeFields();
-  const Particles& p = system.State();
-  const double nu = system.parameters_sph.viscosity / ReferenceDensity(system.parameters_sph.equation_of_state);
-  const double side = system.parameters_sph.periods.box.Width();
-  const double decay = std::exp(-8 * std::numbers::pi * std::numbers::pi * nu / (side * side) * system.Time());
-  const std::vector<double> pressure = system.Pressure();
+Errors ErrorsOf(const ParticleSystemSPH& flow, const Snapshot& snapshot) {
+  const Particles& p = snapshot.particles;
+  const double nu = flow.parameters_sph.viscosity / ReferenceDensity(flow.parameters_sph.equation_of_state);
+  const double side = flow.parameters_sph.periods.box.Width();
+  const double decay = std::exp(-8 * std::numbers::pi * std::numbers::pi * nu / (side * side) * snapshot.time);
   double mean_pressure = 0;
-  for (const double value : pressure) mean_pressure += value / static_cast<double>(p.Size());
+  for (const double value : snapshot.pressure) mean_pressure += value / static_cast<double>(p.Size());
   double velocity_error = 0, speed_sum = 0, pressure_error = 0, greatest_pressure = 0;
   for (std::size_t i = 0; i < p.Size(); ++i) {
-    const FlowAtPoint start = system.FlowAt(p.Position(i));
+    const FlowAtPoint start = flow.FlowAt(p.Position(i));
     const double speed = decay * Length(start.velocity);
     const double exact_pressure = decay * decay * start.pressure;
     velocity_error += std::abs(Length(p.Velocity(i)) - speed);
     speed_sum += speed;
-    pressure_error += std::abs(pressure[i] - mean_pressure - exact_pressure);
+    pressure_error += std::abs(snapshot.pressure[i] - mean_pressure - exact_pressure);
     greatest_pressure = std::max(greatest_pressure, std::abs(exact_pressure));
   }
   return {velocity_error / speed_sum, pressure_error / (static_cast<double>(p.Size()) * greatest_pressure)};
 }
 
-}  // namespace
+std::vector<double> Times(const ParticleSystemSPH&) { return {0.5, 1}; }
 
-std::vector<Verdict> MeasureTaylorGreen(ParticleSystemSPH& system) {
-  AdvanceTo(system, 0.5);
-  const Errors half = ErrorsNow(system);
-  AdvanceTo(system, 1);
-  const Errors whole = ErrorsNow(system);
+std::vector<Verdict> JudgeTaylorGreen(const ParticleSystemSPH& flow, std::span<const Snapshot> snapshots) {
+  const Errors half = snapshots.empty() ? Errors{} : ErrorsOf(flow, snapshots[0]);
+  const Errors whole = snapshots.empty() ? Errors{} : ErrorsOf(flow, snapshots[1]);
   return {
       {"L1 of speed at t = 1 s", whole.velocity, 0.005, "exact; delta-SPH with shifting 0.0071, PySPH's EDAC 0.0090"},
       {"L1 of pressure at t = 0.5 s", half.pressure, 0.006, "exact; corrected gradients 0.006, PySPH's EDAC 0.37"}};
 }
+
+}  // namespace
+
+const Judgement kTaylorGreen{&Times, &JudgeTaylorGreen};
+
+std::vector<Verdict> MeasureTaylorGreen(ParticleSystemSPH& system) { return Judge(kTaylorGreen, system); }
 
 }  // namespace sph

@@ -15,36 +15,39 @@ Box BoxOf(const Cluster& cluster, std::span<const double> x, std::span<const dou
 
 }  // namespace
 
-void ClusterBoxes::Update(const ClusterOrder& order, std::span<const double> x, std::span<const double> y) {
+void ClusterBoxes::Update(const ClusterOrder& order, std::span<const double> x, std::span<const double> y,
+                          int threads) {
+  constexpr std::size_t kClustersOfOneThread = 512;  // waking the others costs more than so little work
   const auto clusters = order.Clusters();
   columns_ = order.Columns();
-  const std::size_t n = clusters.size();
-  boxes_.resize(n);
-  highest_so_far_.resize(n);
-  lowest_to_come_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) boxes_[k] = BoxOf(clusters[k], x, y);
+  boxes_.resize(clusters.size());
+  highest_so_far_.resize(clusters.size());
+  lowest_to_come_.resize(clusters.size());
   for (auto* values : {&column_x0_, &column_x1_, &rightmost_so_far_, &leftmost_to_come_})
     values->resize(columns_.size());
-  for (std::size_t c = 0; c < columns_.size(); ++c) {
-    const auto [first, last] = columns_[c];
-    double highest = boxes_[first].y1;
-    double lowest = boxes_[last - 1].y0;
-    column_x0_[c] = boxes_[first].x0;
-    column_x1_[c] = boxes_[first].x1;
-    for (std::uint32_t k = first; k < last; ++k) {
-      highest_so_far_[k] = highest = std::max(highest, boxes_[k].y1);
-      const std::uint32_t from_top = first + last - 1 - k;
-      lowest_to_come_[from_top] = lowest = std::min(lowest, boxes_[from_top].y0);
-      column_x0_[c] = std::min(column_x0_[c], boxes_[k].x0);
-      column_x1_[c] = std::max(column_x1_[c], boxes_[k].x1);
-    }
-  }
+#pragma omp parallel for schedule(static) num_threads(threads) if (clusters.size() > kClustersOfOneThread)
+  for (std::size_t c = 0; c < columns_.size(); ++c) UpdateColumn(c, clusters, x, y);
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     rightmost_so_far_[c] = c == 0 ? column_x1_[c] : std::max(rightmost_so_far_[c - 1], column_x1_[c]);
   }
   for (std::size_t c = columns_.size(); c-- > 0;) {
     leftmost_to_come_[c] = c + 1 == columns_.size() ? column_x0_[c] : std::min(leftmost_to_come_[c + 1], column_x0_[c]);
   }
+}
+
+void ClusterBoxes::UpdateColumn(std::size_t column, std::span<const Cluster> clusters, std::span<const double> x,
+                                std::span<const double> y) {
+  const auto [first, last] = columns_[column];
+  Box around = boxes_[first] = BoxOf(clusters[first], x, y);
+  for (std::uint32_t k = first; k < last; ++k) {
+    const Box box = boxes_[k] = BoxOf(clusters[k], x, y);
+    around = {std::min(around.x0, box.x0), 0, std::max(around.x1, box.x1), std::max(around.y1, box.y1)};
+    highest_so_far_[k] = around.y1;
+  }
+  column_x0_[column] = around.x0;
+  column_x1_[column] = around.x1;
+  double lowest = boxes_[last - 1].y0;
+  for (std::uint32_t k = last; k-- > first;) lowest_to_come_[k] = lowest = std::min(lowest, boxes_[k].y0);
 }
 
 std::size_t ClusterBoxes::Bytes() const {

@@ -12,7 +12,7 @@ namespace sph {
 class ClusterBoxes {
  public:
   /// Boxes [m] of all clusters, and what FindCells needs. x and y are in the order that was cut.
-  void Update(const ClusterOrder& order, std::span<const double> x, std::span<const double> y);
+  void Update(const ClusterOrder& order, std::span<const double> x, std::span<const double> y, int threads = 1);
 
   const Box& Of(std::size_t cluster) const { return boxes_[cluster]; }
 
@@ -24,6 +24,9 @@ class ClusterBoxes {
   std::size_t Bytes() const;
 
  private:
+  void UpdateColumn(std::size_t column, std::span<const Cluster> clusters, std::span<const double> x,
+                    std::span<const double> y);
+
   std::span<const Column> columns_;
   std::vector<Box> boxes_;
   // Up a column, no cluster before k ends above highest_so_far_[k] and none from k on begins below lowest_to_come_[k];

@@ -38,6 +38,8 @@ void Find(const ClusterSet& particles, const ClusterSet& images, const Positions
   // A little further than asked for, against the rounding of the conversion to Real.
   const auto reach_units = static_cast<Real>(reach * per_unit * (1 + 1e-6));
   const auto reach2 = hn::Set(d, reach_units * reach_units);
+  // Found in here and copied, so that the block's own room is hardly more than it needs.
+  thread_local std::vector<std::uint32_t> numbers;
   std::uint32_t found = 0;
   block.coarse = true;
   block.begin.assign(block.last - block.first + 1, 0);
@@ -49,8 +51,7 @@ void Find(const ClusterSet& particles, const ClusterSet& images, const Positions
     const auto half_width = hn::Set(d, static_cast<Real>(0.5 * box.Width() * per_unit));
     const auto half_height = hn::Set(d, static_cast<Real>(0.5 * box.Height() * per_unit));
     const auto add_near = [&](const Cluster& other, std::uint32_t first) HWY_ATTR {
-      if (block.numbers.size() < found + lanes + kPadding)
-        block.numbers.resize(2 * std::size_t{found + lanes} + kPadding);
+      if (numbers.size() < found + lanes) numbers.resize(2 * std::size_t{found + lanes});
       const auto dx = Beyond(d, Offset(d, positions.X() + first, x), half_width);
       const auto dy = Beyond(d, Offset(d, positions.Y() + first, y), half_height);
       const auto within = hn::Lt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), reach2);
@@ -58,7 +59,7 @@ void Find(const ClusterSet& particles, const ClusterSet& images, const Positions
       HWY_ALIGN std::uint8_t bits[8] = {};
       hn::StoreMaskBits(d, hn::And(within, hn::FirstN(d, other.count)), bits);
       found += static_cast<std::uint32_t>(
-          hn::CompressStore(hn::Iota(du, first), hn::LoadMaskBits(du, bits), du, block.numbers.data() + found));
+          hn::CompressStore(hn::Iota(du, first), hn::LoadMaskBits(du, bits), du, numbers.data() + found));
     };
     particles.boxes->FindCells(around, block.hints, [&](std::size_t near) {
       add_near(particles.clusters[near], particles.clusters[near].first);
@@ -70,6 +71,7 @@ void Find(const ClusterSet& particles, const ClusterSet& images, const Positions
     }
     block.begin[k - block.first + 1] = found;
   }
+  block.Take(std::span(numbers).first(found));
 }
 
 }  // namespace
@@ -92,6 +94,27 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sph {
+
+void ListBlock::Transfer(Archive& archive, std::size_t end) {
+  archive(first, last, coarse, begin, numbers);
+  if (!archive.Reading()) return;
+  hints.clear();
+  image_hints.clear();
+  Archive::Require(last >= first && begin.size() == std::size_t{last - first} + 1 && begin.front() == 0);
+  for (std::size_t k = 1; k < begin.size(); ++k) Archive::Require(begin[k - 1] <= begin[k]);
+  Archive::Require(numbers.size() >= begin.back() + kPadding);
+  for (const std::uint32_t number : numbers) Archive::Require(number < end);
+}
+
+void ListBlock::Take(std::span<const std::uint32_t> found) {
+  const std::size_t room = found.size() + kPadding;
+  if (numbers.capacity() < room) {
+    numbers = {};  // first, so that old and new never are there together
+    numbers.reserve(room + room / 8);
+  }
+  numbers.assign(found.begin(), found.end());
+  numbers.resize(room);
+}
 
 HWY_EXPORT(FloatLanes);
 HWY_EXPORT(DoubleLanes);

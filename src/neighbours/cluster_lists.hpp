@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "neighbours/cluster_boxes.hpp"
 #include "neighbours/cluster_order.hpp"
 #include "neighbours/positions.hpp"
@@ -25,6 +26,10 @@ struct ListBlock {
   std::span<const std::uint32_t> Of(std::uint32_t cluster) const {
     return {numbers.data() + begin[cluster - first], numbers.data() + begin[cluster - first + 1]};
   }
+  /// The lists of particles and images that are fewer than `end`; not the hints, which only save time.
+  void Transfer(Archive& archive, std::size_t end);
+  /// Overwrites `numbers`; where they outgrow their room, with an eighth to spare.
+  void Take(std::span<const std::uint32_t> found);
 };
 
 inline constexpr std::uint32_t kClustersPerBlock = 64;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/check.hpp"
 
@@ -9,7 +10,8 @@ namespace sph {
 namespace {
 
 double Median(std::span<const double> values) {
-  std::vector<double> sorted(values.begin(), values.end());
+  std::vector<double> sorted;
+  std::ranges::copy_if(values, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
   return *middle;
@@ -22,16 +24,17 @@ struct Axis {
   double bins = 1;
 
   std::uint32_t Bin(double value) const {
-    return static_cast<std::uint32_t>(std::clamp((value - start) * per_width, 0.0, bins - 1));
+    const double place = (value - start) * per_width;
+    return place > 0 ? static_cast<std::uint32_t>(std::min(place, bins - 1)) : 0;  // 0 for what is not a number, too
   }
 };
 
 /// An axis over all values, or, if that takes more than `most` bins, over those around the median.
 Axis Cover(std::span<const double> values, double width, double most) {
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-  SPH_CHECK(std::isfinite(*greatest - *least), "positions from {} to {}", *least, *greatest);
   const double wanted = std::floor((*greatest - *least) / width) + 1;
   if (wanted <= most) return {*least, 1 / width, wanted};
+  if (!std::isfinite(*greatest - *least)) return {};  // some are nowhere, which whoever moved them there finds
   return {Median(values) - 0.5 * most * width, 1 / width, most};
 }
 
@@ -87,6 +90,33 @@ void ClusterOrder::Cut(std::span<const double> x, std::span<const double> y, dou
     const auto last_cluster = static_cast<std::uint32_t>(clusters_.size());
     if (last_cluster > first_cluster) columns_.push_back({first_cluster, last_cluster});
   }
+}
+
+void ClusterOrder::Transfer(Archive& archive, std::size_t particles) {
+  const auto pairs = [&](auto& items, auto first, auto second) {
+    std::vector<std::uint32_t> numbers;
+    for (auto& item : items) numbers.insert(numbers.end(), {item.*first, item.*second});
+    archive(numbers);
+    items.resize(numbers.size() / 2);
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      items[k].*first = numbers[2 * k];
+      items[k].*second = numbers[2 * k + 1];
+    }
+  };
+  pairs(clusters_, &Cluster::first, &Cluster::count);
+  pairs(columns_, &Column::first, &Column::last);
+  std::size_t expected = 0;
+  for (const Cluster& cluster : clusters_) {
+    Archive::Require(cluster.first == expected && cluster.count > 0);
+    expected += cluster.count;
+  }
+  Archive::Require(expected == particles);
+  expected = 0;
+  for (const Column& column : columns_) {
+    Archive::Require(column.first == expected && column.last > column.first);
+    expected = column.last;
+  }
+  Archive::Require(expected == clusters_.size());
 }
 
 std::size_t ClusterOrder::Bytes() const {

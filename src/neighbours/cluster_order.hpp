@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/vec2.hpp"
 
 namespace sph {
@@ -28,8 +29,8 @@ class ClusterOrder {
  public:
   static constexpr double kLongestInSupports = 4;
 
-  /// Finds columns and order for particles about `spacing` [m] apart. Positions must be finite. Memory stays in
-  /// proportion to the number of particles, however far some of them have escaped.
+  /// Finds columns and order for particles about `spacing` [m] apart. Memory stays in proportion to the number of
+  /// particles, however far some of them have escaped; some may even be nowhere (not a number, infinite).
   void Sort(std::span<const double> x, std::span<const double> y, double spacing, double support, int lanes);
 
   /// Order()[k] is the index, in the arrays that Sort was given, of the particle that is k-th from now on.
@@ -37,6 +38,9 @@ class ClusterOrder {
 
   /// Cuts the columns into clusters; x and y are in the new order.
   void Cut(std::span<const double> x, std::span<const double> y, double support, int lanes);
+
+  /// What Cut has made of `particles` particles.
+  void Transfer(Archive& archive, std::size_t particles);
 
   std::span<const Cluster> Clusters() const { return clusters_; }
   std::span<const Column> Columns() const { return columns_; }

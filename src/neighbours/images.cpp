@@ -97,6 +97,15 @@ void Images::Reorder(std::span<const std::uint32_t> order) {
   apply(in_y_, scratch_);
 }
 
+void Images::Transfer(Archive& archive, std::size_t particles) {
+  archive(sources_, in_x_, in_y_);
+  Archive::Require(in_x_.size() == Size() && in_y_.size() == Size());
+  for (const std::uint32_t source : sources_) Archive::Require(source < particles);
+  for (const auto* axis : {&in_x_, &in_y_}) {
+    for (const ImageOf image : *axis) Archive::Require(image <= ImageOf::kMirrorHigh);
+  }
+}
+
 std::size_t Images::Bytes() const {
   return sizeof(std::uint32_t) * (sources_.capacity() + sources_scratch_.capacity()) +
          sizeof(ImageOf) * (in_x_.capacity() + in_y_.capacity() + scratch_.capacity());

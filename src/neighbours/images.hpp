@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/vec2.hpp"
 
 namespace sph {
@@ -50,6 +51,9 @@ class Images {
   /// Where the images of these particles are with these ends, which may have moved a little [m]; overwritten.
   void Place(const Ends& ends, std::span<const double> x, std::span<const double> y, std::vector<double>& image_x,
              std::vector<double>& image_y) const;
+
+  /// What Find has found among `particles` particles.
+  void Transfer(Archive& archive, std::size_t particles);
 
   std::size_t Size() const { return sources_.size(); }
   std::span<const std::uint32_t> Sources() const { return sources_; }

@@ -45,7 +45,7 @@ void NeighbourSearch::Cut(std::span<const double> x, std::span<const double> y) 
 
 void NeighbourSearch::Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step,
                               double least_skin) {
-  boxes_.Update(order_, x, y);
+  boxes_.Update(order_, x, y, threads_);
   skin_ = std::max(least_skin, keep_lists_ ? BestSkin(support_, travel_per_step) : 0);
   if (ends_.Any()) FindImages(x, y);
   travelled_when_made_ = travelled_;
@@ -77,6 +77,27 @@ void NeighbourSearch::Finish() {
   pairs_per_area_ = static_cast<double>(pairs_) / (relative_reach * relative_reach);
   if (just_sorted_) pairs_per_area_when_sorted_ = pairs_per_area_;
   just_sorted_ = false;
+}
+
+void NeighbourSearch::Transfer(Archive& archive, std::size_t particles, int lanes) {
+  archive(sorted_, just_sorted_, lanes_, spacing_, support_, skin_, travelled_, travelled_when_made_);
+  archive(pairs_, pairs_per_area_, pairs_per_area_when_sorted_, lists_made_, sorts_);
+  archive(ends_.x.low, ends_.x.high, ends_.x.periodic, ends_.y.low, ends_.y.high, ends_.y.periodic);
+  if (!sorted_) return;
+  order_.Transfer(archive, particles);
+  images_.Transfer(archive, particles);
+  image_order_.Transfer(archive, images_.Size());
+  std::uint64_t blocks = blocks_.size();
+  archive(blocks);
+  const std::size_t clusters = order_.Clusters().size();
+  Archive::Require(blocks == (clusters + kClustersPerBlock - 1) / kClustersPerBlock);
+  blocks_.resize(blocks);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    blocks_[b].Transfer(archive, particles + images_.Size());
+    Archive::Require(blocks_[b].first == b * kClustersPerBlock);
+    Archive::Require(blocks_[b].last == std::min(clusters, (b + 1) * kClustersPerBlock));
+  }
+  if (lanes_ != lanes) Invalidate();
 }
 
 std::size_t NeighbourSearch::Bytes() const {

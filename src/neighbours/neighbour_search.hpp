@@ -27,6 +27,9 @@ class NeighbourSearch {
   /// Whether lists are kept for several steps, which is the default; else they are made anew at every one.
   void KeepLists(bool keep) { keep_lists_ = keep; }
 
+  /// How many threads share the work of Prepare; one unless told.
+  void UseThreads(int threads) { threads_ = threads; }
+
   /// What bounds the particles; nothing unless told. Images are found with the lists.
   void SetEnds(const Ends& ends) { ends_ = ends; }
   const Ends& CurrentEnds() const { return ends_; }
@@ -50,6 +53,10 @@ class NeighbourSearch {
   void Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step, double least_skin = 0);
   double Reach() const { return support_ + skin_; }
   void Finish();
+
+  /// The lists of these particles and all that they depend on. Read where a register has another number of `lanes` than
+  /// where they were written, they are of no use: then the next task is kSort.
+  void Transfer(Archive& archive, std::size_t particles, int lanes);
 
   std::span<const Cluster> Clusters() const { return order_.Clusters(); }
   const ClusterBoxes& Boxes() const { return boxes_; }
@@ -79,6 +86,7 @@ class NeighbourSearch {
   bool sorted_ = false;
   bool just_sorted_ = false;
   bool keep_lists_ = true;
+  int threads_ = 1;
   int lanes_ = 0;
   double spacing_ = 0;  // as told for the last sort [m]
   double support_ = 0;

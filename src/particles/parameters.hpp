@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "particles/particles.hpp"
 #include "particles/placement.hpp"
 #include "particles/walls.hpp"
 
@@ -17,8 +19,22 @@ enum class Integration {
   kSymplecticEuler,    ///< v += a dt, then x += v dt (the tutorial's)
 };
 
+/// Where a particle starts.
+struct StartingParticle {
+  Vec2 position;    ///< [m]
+  double mass = 0;  ///< [kg/m]
+};
+
+/// Particles to start with, as another run left them.
+struct GivenStart {
+  Particles particles;
+  std::vector<double> density;  ///< [kg/m^3] of each; empty if nobody knows
+};
+
 struct Parameters {
-  Block fluid;                     ///< the start
+  Block fluid;                                        ///< the start
+  std::vector<StartingParticle> start;                ///< of particles that do not start as placed; empty: all do
+  std::shared_ptr<const GivenStart> given = nullptr;  ///< if there, these are the start, with their velocities
   Block drop;                      ///< what DropBlock adds; its region is where the block appears if there is room
   double particle_mass = 0;        ///< [kg/m]
   std::uint64_t seed = 1;          ///< of the random start
@@ -26,6 +42,7 @@ struct Parameters {
 
   double time_step = 0;        ///< [s]; the first one if the step is adaptive
   bool adaptive_step = false;  ///< each step the largest that the stability limits allow
+  double caution = 1;          ///< an adaptive step is this part of that
   Integration integration = Integration::kLeapFrog;
   Vec2 gravity;               ///< [m/s^2]
   double central_force = 0;   ///< lambda [1/s^2]: a = -lambda x (paper, eq. 21)

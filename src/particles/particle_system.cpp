@@ -10,11 +10,6 @@
 
 namespace sph {
 
-std::string Instability::Message() const {
-  return fmt::format("step {}, t = {:.6g} s: particle {} at ({:.4g}, {:.4g}) m with velocity ({:.4g}, {:.4g}) m/s: {}",
-                     step, time, id, position.x, position.y, velocity.x, velocity.y, limit);
-}
-
 ParticleSystem::ParticleSystem(const Parameters& start) : parameters(start), initial_parameters_(start) {
   SPH_CHECK(start.time_step > 0, "dt = {}", start.time_step);
   SPH_CHECK(start.particle_mass > 0, "m = {}", start.particle_mass);
@@ -34,14 +29,25 @@ void ParticleSystem::Reset() {
   notes_.clear();
   InitialPositions();
   ForgetNeighbours();
-  StepBackwards(0);
+  auto breach = FindBrokenStart();
+  if (!breach) {
+    StepBackwards(0);
+    breach = FindBrokenForces();
+  }
+  if (breach) StopAt(*breach);
 }
 
 void ParticleSystem::Step() {
   if (trouble_) return;
   ComputeAccelerations();
   if (parameters.adaptive_step) ChooseStep();
-  Integrate();
+  if (!trouble_) Integrate();
+}
+
+void ParticleSystem::ComputeFields() {
+  if (trouble_) return;
+  ComputeAccelerations();
+  if (const auto breach = FindBreach()) StopAt(*breach);
 }
 
 /// v(t - dt/2) from v(t) by half an Euler step backwards (paper, IV-B), for the particles from `first_id` on.
@@ -59,6 +65,17 @@ void ParticleSystem::StepBackwards(std::uint32_t first_id) {
 }
 
 void ParticleSystem::InitialPositions() {
+  if (parameters.given != nullptr) {
+    particles_ = parameters.given->particles;
+    particles_.vx_prev = particles_.vx;
+    particles_.vy_prev = particles_.vy;
+    for (std::size_t i = 0; i < particles_.Size(); ++i) particles_.id[i] = static_cast<std::uint32_t>(i);
+    return;
+  }
+  for (const StartingParticle& particle : parameters.start) {
+    particles_.Add(particle.position, parameters.fluid.velocity, particle.mass);
+  }
+  if (!parameters.start.empty()) return;
   Random random(parameters.seed);
   for (const Vec2 place : Place(parameters.fluid, random)) {
     particles_.Add(place, parameters.fluid.velocity, parameters.particle_mass);
@@ -90,12 +107,22 @@ std::string ParticleSystem::DropBlock() {
   };
   const std::vector<Vec2> places = PlaceAround(drop, room, occupied);
   if (places.empty()) return "no room for another block: wait until the last one has fallen";
+  std::vector<std::byte> before;
+  Archive writer = Archive::Writer(before, Archive::Extent::kPhysics);
+  Transfer(writer);
   const auto first_id = static_cast<std::uint32_t>(particles_.Size());
   for (const Vec2 place : places) particles_.Add(place, drop.velocity, parameters.particle_mass);
   notes_.clear();
   ForgetNeighbours();
-  StepBackwards(first_id);
-  return {};
+  auto breach = FindBrokenStart();
+  if (!breach) {
+    StepBackwards(first_id);
+    breach = FindBrokenForces();
+  }
+  if (!breach) return {};
+  Archive reader = Archive::Reader(before, Archive::Extent::kPhysics);
+  Transfer(reader);
+  return "no block is dropped, because it would break everything down: of a particle, " + breach->limit;
 }
 
 void ParticleSystem::ComputeAccelerations() {
@@ -142,9 +169,35 @@ void ParticleSystem::AddMotionDamping(std::size_t first, std::size_t last) {
 /// run ahead of what the next states turn out to be.
 void ParticleSystem::ChooseStep() {
   constexpr double kLargestGrowth = 1.1;
-  const double largest = LargestStep(StepLimits());
+  constexpr double kHopeless = 1e-6;  // of the scene's step: a run that would never come to its end
+  const std::vector<StepLimit> limits = StepLimits();
+  const double largest = parameters.caution * LargestStep(limits);
+  if (!(largest > kHopeless * initial_parameters_.time_step)) {
+    const auto closest = std::ranges::min_element(limits, {}, &StepLimit::seconds);
+    if (particles_.Size() > 0) {
+      StopAt({FastestParticle(), fmt::format("the step may be {:.2g} s at most, which is below a millionth of the "
+                                             "scene's {:.2g} s: {}",
+                                             largest, initial_parameters_.time_step, closest->what)});
+      return;
+    }
+  }
   parameters.time_step =
       steps_ == 0 ? std::min(largest, parameters.time_step) : std::min(largest, kLargestGrowth * previous_step_);
+}
+
+/// The one that moves fastest, or that forces push most where all are slow.
+std::size_t ParticleSystem::FastestParticle() const {
+  const Particles& p = particles_;
+  std::size_t fastest = 0;
+  double most = -1;
+  for (std::size_t i = 0; i < p.Size(); ++i) {
+    const double speed =
+        std::hypot(p.vx_prev[i], p.vy_prev[i]) + initial_parameters_.time_step * std::hypot(p.ax[i], p.ay[i]);
+    if (!std::isfinite(speed)) return i;
+    if (speed > most) fastest = i;
+    most = std::max(most, speed);
+  }
+  return fastest;
 }
 
 std::vector<StepLimit> ParticleSystem::StepLimits() const {
@@ -155,6 +208,19 @@ std::vector<StepLimit> ParticleSystem::StepLimits() const {
       {"wall stiffness", penalty ? 2 / std::sqrt(p.wall.stiffness) : kNone},
       {"central force", p.central_force > 0 ? 2 / std::sqrt(p.central_force) : kNone},
   };
+}
+
+void ParticleSystem::Transfer(Archive& archive) {
+  archive(time_, steps_, previous_step_, deepest_, last_travel_, travelled_);
+  archive(parameters.time_step, parameters.caution);
+  std::uint64_t walls = parameters.walls.size();
+  archive(walls);
+  Archive::Require(walls == parameters.walls.size());
+  for (Wall& wall : parameters.walls) archive(wall.at, wall.velocity, wall.lowest, wall.highest);
+  particles_.Transfer(archive);
+  if (!archive.Reading()) return;
+  trouble_.reset();
+  notes_.clear();
 }
 
 /// Leapfrog, eqs. 13-15, and the walls.
@@ -178,7 +244,10 @@ void ParticleSystem::Integrate() {
     travelled_ += last_travel_;
     time_ += dt;
     ++steps_;
-    if (!finite || last_travel_ > LongestMove()) ReportTrouble();
+    const bool in_order = finite && last_travel_ <= LongestMove();
+    if (const auto breach = in_order ? FindBreach() : FindMoveTooFar()) {
+      StopAt(*breach);
+    }
   }
   ReflectFromWalls();
   AfterStep();
@@ -210,7 +279,7 @@ ParticleSystem::ChunkNotes ParticleSystem::Advance(std::size_t first, std::size_
   const double* const ax = particles_.ax.data();
   const double* const ay = particles_.ay.data();
   double fastest2 = 0;
-  double sum2 = 0;  // not a number if one of the speeds is not, which a maximum may hide
+  double sum2 = 0;  // not a number if one of the speeds or places is not, which a maximum may hide
   double outside = 0;
 #pragma omp simd reduction(max : fastest2) reduction(+ : sum2, outside)
   for (std::size_t i = first; i < last; ++i) {
@@ -226,7 +295,7 @@ ParticleSystem::ChunkNotes ParticleSystem::Advance(std::size_t first, std::size_
     vy_prev[i] = uy;
     const double speed2 = ux * ux + uy * uy;
     fastest2 = std::max(fastest2, speed2);
-    sum2 += speed2;
+    sum2 += speed2 + (new_x * new_x + new_y * new_y);
     const double beyond_x = std::max(legal.x0 - new_x, new_x - legal.x1);
     const double beyond_y = std::max(legal.y0 - new_y, new_y - legal.y1);
     outside += std::max(beyond_x, beyond_y) > 0 ? 1.0 : 0.0;
@@ -234,56 +303,6 @@ ParticleSystem::ChunkNotes ParticleSystem::Advance(std::size_t first, std::size_
   const bool behind_wall = outside > 0;
   if (behind_wall && second_order && parameters.wall.kind == WallKind::kPenalty) CatchAtWalls(first, last);
   return {.fastest2 = std::isfinite(sum2) ? fastest2 : sum2, .behind_wall = behind_wall};
-}
-
-void ParticleSystem::ReportTrouble() {
-  const Particles& p = particles_;
-  const double longest = LongestMove();
-  std::optional<std::size_t> first;
-  for (std::size_t i = 0; i < p.Size(); ++i) {
-    const double moved = std::hypot(p.vx_prev[i], p.vy_prev[i]) * parameters.time_step;
-    if (!(moved <= longest) && (!first || p.id[i] < p.id[*first])) first = i;
-  }
-  if (!first) return;
-  const Vec2 velocity{p.vx_prev[*first], p.vy_prev[*first]};
-  const double speed = Length(velocity);
-  const std::string limit =
-      std::isfinite(speed)
-          ? fmt::format(
-                "it moved further in the step than the support radius of {:.3g} m; the step was {:.3g} s, and only "
-                "one below {:.3g} s would have held it",
-                longest, parameters.time_step, longest / speed)
-          : fmt::format("its velocity is not a number; the step of {:.3g} s is too long for the forces of this scene",
-                        parameters.time_step);
-  trouble_ = Instability{steps_, time_, p.id[*first], p.Position(*first), velocity, limit};
-}
-
-void ParticleSystem::Draw(Canvas& canvas) const {
-  const Particles& p = particles_;
-  std::vector<double> values;
-  switch (canvas.WantedColouring()) {
-    case Colouring::kBlackDisks:
-      break;
-    case Colouring::kSpeed:
-      values.resize(p.Size());
-      for (std::size_t i = 0; i < p.Size(); ++i) values[i] = Length(p.Velocity(i));
-      break;
-    case Colouring::kPressure:
-      values = Pressure();
-      break;
-    case Colouring::kDensity:
-      values = Density();
-      break;
-  }
-  constexpr double kRadiusInSpacings = 0.35;  // disks stay apart where the fluid is at rest
-  const auto shown = ShownPositions();
-  canvas.DrawDisks(shown ? shown->first : p.x, shown ? shown->second : p.y, kRadiusInSpacings * InitialSpacing(),
-                   values);
-  constexpr double kFar = 1e6;
-  const Box view{-kFar, -kFar, kFar, kFar};
-  for (const Wall& wall : parameters.walls) {
-    if (const auto segment = VisibleSegment(wall, parameters.walls, view)) canvas.DrawWall(segment->a, segment->b);
-  }
 }
 
 double ParticleSystem::LongestMove() const { return std::numeric_limits<double>::max(); }

@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/clock.hpp"
+#include "base/first_failure.hpp"
 #include "base/random.hpp"
 #include "particles/canvas.hpp"
 #include "particles/parameters.hpp"
@@ -23,7 +25,8 @@ struct Instability {
   std::uint32_t id = 0;  ///< of the first particle concerned
   Vec2 position;         ///< its position [m] and velocity [m/s] after the step
   Vec2 velocity;
-  std::string limit;  ///< the limit that was broken, in words, with its value
+  std::string limit;   ///< the limit that was broken, in words, with its value
+  std::string advice;  ///< what would have held; empty where nobody knows
 
   std::string Message() const;
 };
@@ -51,12 +54,10 @@ class ParticleSystem {
   void Step();
 
   /// Density, pressure and accelerations at the current time, for who wants to look at them after the last step; Step()
-  /// itself computes them at its beginning. Does nothing once a step has broken down.
-  void ComputeFields() {
-    if (!trouble_) ComputeAccelerations();
-  }
+  /// itself computes them at its beginning. Does nothing once a step has broken down; may find that the last one has.
+  void ComputeFields();
 
-  /// Walls and particles, in the colouring that the canvas wants.
+  /// Walls and particles, in the colouring that the canvas wants; of trouble, the particle that it began with.
   void Draw(Canvas& canvas) const;
 
   /// Adds parameters.drop on free sites at its region or above it.
@@ -64,6 +65,8 @@ class ParticleSystem {
   std::string DropBlock();
 
   const std::optional<Instability>& Trouble() const { return trouble_; }
+  /// Stops with this trouble. For who has put the system back to an earlier state, or knows what would have held.
+  void StopWith(const Instability& trouble) { trouble_ = trouble; }
   double Time() const { return time_; }
   long Steps() const { return steps_; }
   const Particles& State() const { return particles_; }
@@ -82,6 +85,10 @@ class ParticleSystem {
   /// Density [kg/m^3], pressure [Pa] of each particle, in State()'s order; empty where the system has none.
   virtual std::vector<double> Density() const { return {}; }
   virtual std::vector<double> Pressure() const { return {}; }
+
+  /// Everything that the next steps depend on, but for the parameters that steps do not change. Read, it takes the
+  /// place of what there was, trouble included; to be read into a system of the same scene.
+  virtual void Transfer(Archive& archive);
 
   /// The limits on the time step in the present state; accelerations and density must be those of the current time.
   virtual std::vector<StepLimit> StepLimits() const;
@@ -107,6 +114,15 @@ class ParticleSystem {
   }
   /// A particle must not move further than this in a step [m].
   virtual double LongestMove() const;
+  /// A particle and the limit that it has broken, in words.
+  struct Breach {
+    std::size_t particle = 0;
+    std::string limit;
+  };
+  /// What else went wrong in a step whose moves were in order.
+  virtual std::optional<Breach> FindBreach() const { return std::nullopt; }
+  /// What no run can start with, before forces are looked at.
+  virtual std::optional<Breach> FindBrokenStart() const;
 
   int ThreadCount() const;
   std::size_t ChunkCount() const { return (particles_.Size() + kParticlesPerChunk - 1) / kParticlesPerChunk; }
@@ -119,7 +135,7 @@ class ParticleSystem {
   double Travelled() const { return travelled_; }
   /// Puts the particles in another order, see Particles::Reorder.
   virtual void Reorder(std::span<const std::uint32_t> order) {
-    particles_.Reorder(order);
+    particles_.Reorder(order, ThreadCount());
     notes_.clear();  // of the old order
   }
   /// Called when a step has moved the particles.
@@ -148,14 +164,18 @@ class ParticleSystem {
     double deepest = 0;  ///< penetration when the walls were looked at [m]
   };
 
+  void DrawTrouble(Canvas& canvas) const;
   void AddWallForces();
+  void StopAt(const Breach& breach);
+  std::size_t FastestParticle() const;
   void ChooseStep();
   void Integrate();
   ChunkNotes Advance(std::size_t first, std::size_t last);
   void CatchAtWalls(std::size_t first, std::size_t last);
   void ReflectFromWalls();
   void StepBackwards(std::uint32_t first_id);
-  void ReportTrouble();
+  std::optional<Breach> FindMoveTooFar() const;
+  std::optional<Breach> FindBrokenForces() const;
 
   Parameters initial_parameters_;
   std::optional<Instability> trouble_;
@@ -174,11 +194,13 @@ void ParticleSystem::ForEachChunk(Work work) const {
   constexpr std::size_t kChunksOfOneThread = 64;  // waking the others costs more than so little work
   const std::size_t n = particles_.Size();
   const std::size_t chunks = ChunkCount();
+  FirstFailure failure;
 #pragma omp parallel for schedule(static) num_threads(ThreadCount()) if (chunks > kChunksOfOneThread)
   for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
     const std::size_t first = chunk * kParticlesPerChunk;
-    work(chunk, first, std::min(first + kParticlesPerChunk, n));
+    failure.Catch([&] { work(chunk, first, std::min(first + kParticlesPerChunk, n)); });
   }
+  failure.Rethrow();
 }
 
 }  // namespace sph

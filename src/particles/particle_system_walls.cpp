@@ -93,6 +93,7 @@ void ParticleSystem::CatchAtWalls(std::size_t first, std::size_t last) {
 
 void ParticleSystem::ReflectFromWalls() {
   if (parameters.walls.empty() || parameters.wall.kind == WallKind::kPenalty) return;
+  if (std::ranges::none_of(notes_, &ChunkNotes::behind_wall)) return;
   const PhaseTimer timer(phases_, "walls");
   Particles& p = particles_;
   const double restitution = parameters.wall.kind == WallKind::kReflect ? parameters.wall.restitution : 0.0;
@@ -101,12 +102,15 @@ void ParticleSystem::ReflectFromWalls() {
     auto& position = wall.Vertical() ? p.x : p.y;
     auto& velocity = wall.Vertical() ? p.vx : p.vy;
     auto& previous = wall.Vertical() ? p.vx_prev : p.vy_prev;
-    for (std::size_t i = 0; i < p.Size(); ++i) {
-      const double depth = wall.Depth(p.Position(i));
-      if (depth <= 0) continue;
-      deepest = std::max(deepest, depth);
-      position[i] = wall.at;
-      for (double* v : {&velocity[i], &previous[i]}) *v = wall.velocity - restitution * (*v - wall.velocity);
+    for (std::size_t chunk = 0; chunk < notes_.size(); ++chunk) {
+      if (!notes_[chunk].behind_wall) continue;
+      for (std::size_t i = chunk * kParticlesPerChunk; i < std::min(p.Size(), (chunk + 1) * kParticlesPerChunk); ++i) {
+        const double depth = wall.Depth(p.Position(i));
+        if (depth <= 0) continue;
+        deepest = std::max(deepest, depth);
+        position[i] = wall.at;
+        for (double* v : {&velocity[i], &previous[i]}) *v = wall.velocity - restitution * (*v - wall.velocity);
+      }
     }
   }
   travelled_ += 2 * deepest;  // in x and in y: a corner puts a particle back twice

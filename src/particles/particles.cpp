@@ -6,8 +6,10 @@ namespace sph {
 namespace {
 
 template <typename T>
-void Gather(std::vector<T>& values, std::span<const std::uint32_t> order, std::vector<T>& scratch) {
+void Gather(std::vector<T>& values, std::span<const std::uint32_t> order, std::vector<T>& scratch, int threads) {
+  constexpr std::size_t kParticlesOfOneThread = 8192;  // waking the others costs more than so little work
   scratch.resize(values.size());
+#pragma omp parallel for schedule(static) num_threads(threads) if (order.size() > kParticlesOfOneThread)
   for (std::size_t k = 0; k < order.size(); ++k) scratch[k] = values[order[k]];
   values.swap(scratch);
 }
@@ -38,10 +40,20 @@ std::size_t Particles::Bytes() const {
   return bytes;
 }
 
-void Particles::Reorder(std::span<const std::uint32_t> order) {
+void Particles::Reorder(std::span<const std::uint32_t> order, int threads) {
   SPH_CHECK(order.size() == Size(), "{} places for {} particles", order.size(), Size());
-  for (auto* component : {&x, &y, &vx, &vy, &vx_prev, &vy_prev, &ax, &ay, &mass}) Gather(*component, order, scratch_);
-  Gather(id, order, id_scratch_);
+  for (auto* component : {&x, &y, &vx, &vy, &vx_prev, &vy_prev, &ax, &ay, &mass}) {
+    Gather(*component, order, scratch_, threads);
+  }
+  Gather(id, order, id_scratch_, threads);
+}
+
+void Particles::Transfer(Archive& archive) {
+  archive(x, y, vx, vy, vx_prev, vy_prev, mass, id);
+  for (const auto* component : {&y, &vx, &vy, &vx_prev, &vy_prev, &mass}) Archive::Require(component->size() == Size());
+  Archive::Require(id.size() == Size());
+  ax.resize(Size());
+  ay.resize(Size());
 }
 
 }  // namespace sph

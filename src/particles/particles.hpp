@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/vec2.hpp"
 
 namespace sph {
@@ -30,7 +31,10 @@ struct Particles {
   std::size_t Bytes() const;
 
   /// Element k becomes the former element order[k]. `order` is a permutation of 0 ... Size() - 1.
-  void Reorder(std::span<const std::uint32_t> order);
+  void Reorder(std::span<const std::uint32_t> order, int threads = 1);
+
+  /// All but the accelerations, which follow from the rest.
+  void Transfer(Archive& archive);
 
  private:
   std::vector<double> scratch_;

@@ -83,7 +83,8 @@ void VisitLattice(const Box& box, double spacing, Visit visit) {
 std::vector<Vec2> Place(const Block& block, Random& random) {
   SPH_CHECK(block.region.Area() > 0, "area = {}", block.region.Area());
   if (block.particles == 0) return {};
-  if (block.arrange == Arrangement::kRandom) return PlaceAtRandom(block, random);
+  if (block.arrange == Arrangement::kRandom || block.arrange == Arrangement::kRelaxed)
+    return PlaceAtRandom(block, random);
   if (block.arrange == Arrangement::kHexagonal) return PlaceHexagonally(block);
   std::vector<Vec2> places;
   Box column = block.region.Bounds();
@@ -103,9 +104,11 @@ std::vector<Vec2> Place(const Block& block, Random& random) {
 }
 
 std::vector<Vec2> PlaceAround(const Block& block, const Box& room, const std::function<bool(Vec2)>& occupied) {
+  constexpr double kMostColumns = 1000;
   const Box start = block.region.Bounds();
-  const int most_columns = static_cast<int>(room.Width() / start.Width()) + 1;
-  for (int k = 0; k <= 2 * most_columns; ++k) {
+  const auto most_columns = static_cast<int>(std::min(room.Width() / start.Width(), kMostColumns)) + 1;
+  std::size_t tries = 10'000 + 100 * block.particles;  // of sites; a lattice may be too fine to be filled
+  for (int k = 0; k <= 2 * most_columns && tries > 0; ++k) {
     const int columns_away = (k + 1) / 2;
     const double shift = start.Width() * (k % 2 == 1 ? columns_away : -columns_away);
     const Box column{start.x0 + shift, start.y0, start.x1 + shift, room.y1};
@@ -113,7 +116,7 @@ std::vector<Vec2> PlaceAround(const Block& block, const Box& room, const std::fu
     std::vector<Vec2> places;
     VisitLattice(column, Spacing(block), [&](Vec2 site) {
       if (!occupied(site)) places.push_back(site);
-      return places.size() < block.particles;
+      return places.size() < block.particles && --tries > 0;
     });
     if (places.size() == block.particles) return places;
   }

@@ -26,6 +26,7 @@ enum class Arrangement {
   kJittered,   ///< the lattice, each particle moved to the right by up to `jitter` (the tutorial's dam)
   kPerturbed,  ///< the lattice, each particle moved by up to `jitter` in both directions, either way
   kHexagonal,  ///< hexagonal lattice, as many particles per area
+  kRelaxed,    ///< random, but as even as a lattice: see FindStart in scenes/start.hpp; Place itself has it random
 };
 
 /// A block of fluid to be placed.

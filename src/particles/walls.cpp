@@ -27,14 +27,19 @@ double Wall::Depth(Vec2 point) const {
 }
 
 Penetration PenetrationAfter(const WallParameters& wall, double speed, double seconds) {
-  // d = speed e^(-c t/2) s(t), with s = sin(w t)/w, t or sinh(w t)/w as w^2 = K - c^2/4 is positive, 0 or negative.
+  // d = speed e^(-c t/2) s(t), with s = sin(w t)/w, t or sinh(w t)/w as w^2 = K - c^2/4 is positive, 0 or negative. In
+  // the last case as two exponentials: where the damping is strong, sinh alone is beyond any number.
   const double half_damping = 0.5 * wall.damping;
   const double w2 = wall.stiffness - half_damping * half_damping;
   const double w = std::sqrt(std::abs(w2));
+  if (w2 < 0) {
+    const double slow = std::exp((w - half_damping) * seconds), fast = std::exp(-(w + half_damping) * seconds);
+    const double depth = speed * (slow - fast) / (2 * w);
+    return {depth, 0.5 * speed * (slow + fast) - half_damping * depth};
+  }
   const double decay = speed * std::exp(-half_damping * seconds);
-  const double s = w == 0 ? seconds : (w2 > 0 ? std::sin(w * seconds) : std::sinh(w * seconds)) / w;
-  const double slope = w2 > 0 ? std::cos(w * seconds) : std::cosh(w * seconds);
-  return {decay * s, decay * (slope - half_damping * s)};
+  const double s = w == 0 ? seconds : std::sin(w * seconds) / w;
+  return {decay * s, decay * (std::cos(w * seconds) - half_damping * s)};
 }
 
 void MoveWalls(std::span<Wall> walls, double dt) {
@@ -46,22 +51,23 @@ void MoveWalls(std::span<Wall> walls, double dt) {
   }
 }
 
-Box LegalRegion(std::span<const Wall> walls) {
+Box LegalRegion(std::span<const Wall> walls, double seconds_ago) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Box legal{-kFar, -kFar, kFar, kFar};
   for (const Wall& wall : walls) {
+    const double at = wall.at - seconds_ago * wall.velocity;
     switch (wall.fluid) {
       case FluidSide::kLeft:
-        legal.x1 = std::min(legal.x1, wall.at);
+        legal.x1 = std::min(legal.x1, at);
         break;
       case FluidSide::kRight:
-        legal.x0 = std::max(legal.x0, wall.at);
+        legal.x0 = std::max(legal.x0, at);
         break;
       case FluidSide::kBelow:
-        legal.y1 = std::min(legal.y1, wall.at);
+        legal.y1 = std::min(legal.y1, at);
         break;
       case FluidSide::kAbove:
-        legal.y0 = std::max(legal.y0, wall.at);
+        legal.y0 = std::max(legal.y0, at);
         break;
     }
   }

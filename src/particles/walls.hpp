@@ -22,6 +22,7 @@ struct Wall {
   double velocity = 0;  ///< d(at)/dt [m/s]
   double lowest = 0;    ///< range of `at` [m]; a wall that cannot be moved has lowest = highest = at
   double highest = 0;
+  double slide = 0;  ///< velocity along itself, to the right or upwards [m/s], of a mirror to which the fluid sticks
 
   bool Vertical() const { return fluid == FluidSide::kLeft || fluid == FluidSide::kRight; }
   /// Unit vector from the wall into the fluid.
@@ -43,6 +44,9 @@ struct WallParameters {
   double damping = 0;      ///< [1/s]: a -= damping (v - v_wall)
   double restitution = 0;  ///< speed after a reflection over the speed before
   bool no_slip = false;    ///< of a mirror: tangential velocities are turned round in it, too
+  /// Of a mirror along which the fluid slips: the kinematic viscosity [m^2/s] of the turbulent boundary layer that
+  /// brakes it, too thin to be seen by the particles; 0: there is none.
+  double layer_viscosity = 0;
 };
 
 /// Depth [m] and speed into the wall [m/s] of a particle relative to it.
@@ -58,8 +62,8 @@ Penetration PenetrationAfter(const WallParameters& wall, double speed, double se
 /// Moves every wall by its velocity times dt; one that reaches an end of its range stops there.
 void MoveWalls(std::span<Wall> walls, double dt);
 
-/// The part of the plane that no wall covers; infinite where there is no wall.
-Box LegalRegion(std::span<const Wall> walls);
+/// The part of the plane that no wall covers, or covered so long ago [s]; infinite where there is no wall.
+Box LegalRegion(std::span<const Wall> walls, double seconds_ago = 0);
 
 /// The wall with that name, or nullptr.
 Wall* FindWall(std::span<Wall> walls, std::string_view name);

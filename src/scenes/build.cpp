@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/error.hpp"
+#include "scenes/start.hpp"
 #include "sph/mueller.hpp"
 #include "sph/solvers.hpp"
 
@@ -78,8 +80,14 @@ Parameters CompleteParameters(const Scene& scene) {
 std::unique_ptr<ParticleSystemSPH> MakeSystem(const Scene& scene) {
   const Solver* solver = FindSolver(scene.solver);
   SPH_CHECK(solver != nullptr, "solver '{}'", scene.solver);
-  auto system = solver->make(CompleteParameters(scene), scene.sph);
+  Parameters base = CompleteParameters(scene);
+  if (base.given == nullptr) base.start = FindStart(scene, base);
+  auto system = solver->make(base, scene.sph);
   system->Reset();
+  if (const auto& trouble = system->Trouble()) {
+    throw UsageError("{}: the scene cannot start: particle {} at ({:.4g}, {:.4g}) m: {}", scene.name, trouble->id,
+                     trouble->position.x, trouble->position.y, trouble->limit);
+  }
   return system;
 }
 

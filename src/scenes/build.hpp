@@ -18,7 +18,8 @@ void ScaleToParticles(Scene& scene, std::size_t particles);
 /// central force, the block to drop, the particle limit.
 Parameters CompleteParameters(const Scene& scene);
 
-/// A system of the scene's solver at its start.
+/// A system of the scene's solver at its start. UsageError if that is none: a position, density or force that is not a
+/// number. TroubleError if the fluid is to settle before, and breaks down.
 std::unique_ptr<ParticleSystemSPH> MakeSystem(const Scene& scene);
 
 /// The star that the scene's forces and equation of state make, if it has one.

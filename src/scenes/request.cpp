@@ -1,7 +1,10 @@
 #include "scenes/request.hpp"
 
+#include <fmt/format.h>
+
 #include "scenes/build.hpp"
 #include "scenes/catalogue.hpp"
+#include "scenes/scene_checks.hpp"
 #include "scenes/scene_file.hpp"
 
 namespace sph {
@@ -11,10 +14,18 @@ Scene LoadScene(const SceneRequest& request) {
   if (request.solver) settings.push_back("solver='" + *request.solver + "'");
   if (request.precision) settings.push_back("method.precision='" + *request.precision + "'");
   Scene scene = ReadScene(FindScene(request.scene), settings);
-  if (request.particles) ScaleToParticles(scene, *request.particles);
+  if (request.particles) {
+    ScaleToParticles(scene, *request.particles);
+    CheckWhole(scene, fmt::format("--particles {}", *request.particles));  // fewer are larger, and may not fit
+  }
   if (request.seed) scene.base.seed = *request.seed;
   scene.base.threads = request.threads;
   return scene;
+}
+
+void TransferRequest(Archive& archive, SceneRequest& request) {
+  archive(request.scene, request.settings, request.solver, request.precision, request.particles, request.seed,
+          request.threads);
 }
 
 }  // namespace sph

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "scenes/scene.hpp"
 
 namespace sph {
@@ -18,6 +19,8 @@ struct SceneRequest {
   std::optional<std::uint64_t> seed;
   int threads = 0;  ///< 0: as many as there are processors
 };
+
+void TransferRequest(Archive& archive, SceneRequest& request);
 
 /// The scene with the request's changes. UsageError or TroubleError as ReadScene and FindScene say.
 Scene LoadScene(const SceneRequest& request);

@@ -45,17 +45,25 @@ struct StarForce {
   double radius = 0;  ///< [m]
 };
 
+/// Before the start the fluid comes to rest under its forces, if this is asked for.
+struct Settling {
+  double time = 0;     ///< [s]
+  double damping = 0;  ///< [1/s]
+};
+
 struct Scene {
   std::string name;  ///< the file's name without its ending
   std::string title;
   std::string about;  ///< a few lines for people
   std::string solver = "paper";
+  int retries = 3;    ///< how often a step that breaks down is undone and halved, see Guard
   double until = 10;  ///< where `run` and `render` end if not told [s]
   Box view;           ///< what the window shows at first [m]; empty: walls and fluid with a margin
 
   Parameters base;
   ParametersSPH sph;
   std::optional<StarForce> star;
+  Settling settling;
   WallScaling wall_scaling = WallScaling::kDerived;
   Reference reference = Reference::kNone;
 

@@ -1,5 +1,7 @@
 #include "scenes/scene_checks.hpp"
 
+#include <cmath>
+
 #include "base/error.hpp"
 #include "base/nearest_name.hpp"
 #include "scenes/scene_file.hpp"
@@ -50,6 +52,47 @@ void CheckRegion(const Scene& scene, const std::string& source) {
   }
 }
 
+void CheckSettling(const Scene& scene, const std::string& source) {
+  const Settling& settling = scene.settling;
+  if ((settling.time > 0) != (settling.damping > 0)) {
+    throw UsageError("{}: fluid.settle takes both time and damping", source);
+  }
+  constexpr double kMostSteps = 1e6;
+  if (settling.time > kMostSteps * scene.base.time_step) {
+    throw UsageError("{}: fluid.settle.time = {} s is more than a million steps of method.time_step = {} s", source,
+                     settling.time, scene.base.time_step);
+  }
+}
+
+/// What only some walls have is refused of others.
+void CheckSlip(const Scene& scene, const std::string& source) {
+  const WallParameters& kind = scene.base.wall;
+  const bool mirrors = kind.kind == WallKind::kMirror;
+  if (kind.layer_viscosity > 0 && !(mirrors && !kind.no_slip)) {
+    throw UsageError("{}: walls.layer_viscosity takes walls.kind = 'mirror' and walls.slip = 'free'", source);
+  }
+  if (mirrors && kind.no_slip) return;
+  for (const Wall& wall : scene.base.walls) {
+    if (wall.slide == 0) continue;
+    throw UsageError("{}: wall '{}' has slide = {} m/s, which takes walls.kind = 'mirror' and walls.slip = 'none'",
+                     source, wall.name, wall.slide);
+  }
+}
+
+/// Where a lattice's sites are tried one by one, a slip in its spacing would take for ever.
+void CheckSpacing(const Scene& scene, const std::string& source) {
+  const Block& fluid = scene.base.fluid;
+  const bool all_tried =
+      fluid.arrange == Arrangement::kHexagonal || (fluid.arrange != Arrangement::kRandom && fluid.region.radius > 0);
+  const double spacing = Spacing(fluid);
+  const double most = 10'000 + 100 * static_cast<double>(fluid.particles);
+  const Box bounds = fluid.region.Bounds();
+  const double sites = bounds.Width() / spacing * (bounds.Height() / spacing);
+  if (!all_tried || sites <= most) return;
+  throw UsageError("{}: fluid.spacing = {} m makes {:.3g} sites for {} particles: it takes {:.3g} m or more", source,
+                   spacing, sites, fluid.particles, spacing * std::sqrt(sites / most));
+}
+
 void CheckMirrors(const Scene& scene, const std::string& source) {
   if (scene.base.wall.kind != WallKind::kMirror) return;
   if (scene.solver != "delta" || ReferenceDensity(scene.sph.equation_of_state) <= 0) {
@@ -65,11 +108,12 @@ void CheckPeriods(const Scene& scene, const std::string& source) {
     throw UsageError("{}: periodic takes both box = [x0, y0, x1, y1] and directions = \"x\", \"y\" or \"both\"",
                      source);
   }
-  // Lists reach at most a third beyond the support, which no kernel has greater than 3 h.
-  const double least = 8 * scene.sph.smoothing_length;
-  if ((periods.in_x && periods.box.Width() < least) || (periods.in_y && periods.box.Height() < least)) {
+  // Lists reach a third beyond the support, or as far as a particle moves in a step, see LongestMove.
+  const double support = scene.solver == "delta" ? SupportOf(scene.sph.delta.kernel) : CubicSpline<2>::kSupport;
+  const double least = 2 * (4.0 / 3) * support * scene.sph.smoothing_length;
+  if ((periods.in_x && periods.box.Width() <= least) || (periods.in_y && periods.box.Height() <= least)) {
     throw UsageError(
-        "{}: periodic.box = [{}, {}, {}, {}] is too small: with method.smoothing_length = {} m it takes {} m or more",
+        "{}: periodic.box = [{}, {}, {}, {}] is too small: with method.smoothing_length = {} m it takes more than {} m",
         source, periods.box.x0, periods.box.y0, periods.box.x1, periods.box.y1, scene.sph.smoothing_length, least);
   }
 }
@@ -104,12 +148,15 @@ void CheckControls(const Scene& scene, const std::string& source) {
 
 void CheckWhole(const Scene& scene, const std::string& source) {
   CheckRegion(scene, source);
+  CheckSettling(scene, source);
+  CheckSpacing(scene, source);
   CheckEquation(scene, source);
   if (scene.reference == Reference::kStaticStar && !scene.star) {
     throw UsageError("{}: reference = 'static-star' needs forces.star", source);
   }
   CheckPeriods(scene, source);
   CheckMirrors(scene, source);
+  CheckSlip(scene, source);
   CheckControls(scene, source);
 }
 

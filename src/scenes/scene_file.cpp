@@ -213,10 +213,13 @@ toml::table ParseSetting(const std::string& setting) {
 }  // namespace
 
 Scene ReadScene(const std::filesystem::path& path, std::span<const std::string> settings) {
-  const std::string text = ReadText(path);
-  Scene scene;
+  Scene scene = ParseScene(ReadText(path), path.string(), settings);
   scene.name = path.stem().string();
-  const std::string source = path.string();
+  return scene;
+}
+
+Scene ParseScene(const std::string& text, const std::string& source, std::span<const std::string> settings) {
+  Scene scene;
   SceneReader reader(scene, source);
   try {
     reader.Read(toml::parse(text, source));

@@ -14,6 +14,9 @@ namespace sph {
 /// line, column, what is accepted and the nearest name; an unreadable file throws TroubleError.
 Scene ReadScene(const std::filesystem::path& path, std::span<const std::string> settings = {});
 
+/// The same of a text; messages name it `source`.
+Scene ParseScene(const std::string& text, const std::string& source, std::span<const std::string> settings = {});
+
 /// Sets one key of a scene that is running. UsageError if the key may not change then.
 void SetWhileRunning(Scene& scene, const std::string& key, double value);
 

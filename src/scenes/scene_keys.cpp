@@ -10,7 +10,7 @@ namespace sph {
 namespace {
 
 constexpr std::int64_t kMostParticles = 100'000'000;
-const std::vector<std::string> kArrangements = {"random", "lattice", "jittered", "perturbed", "hexagonal"};
+const std::vector<std::string> kArrangements = {"random", "lattice", "jittered", "perturbed", "hexagonal", "relaxed"};
 const std::vector<std::string> kIntegrations = {"leapfrog", "leapfrog-published", "symplectic-euler"};
 const std::vector<std::string> kWallKinds = {"penalty", "mirror", "reflect"};
 const std::vector<std::string> kSlips = {"free", "none"};
@@ -18,7 +18,8 @@ const std::vector<std::string> kWallScalings = {"derived", "published"};
 const std::vector<std::string> kReferences = {"none", "static-star"};
 const std::vector<std::string> kSteps = {"fixed", "adaptive"};
 const std::vector<std::string> kPrecisions = {"float", "double"};
-const std::vector<std::string> kKernels = {"wendland-c2", "wendland-c4"};
+const std::vector<std::string> kKernels = {"wendland-c2", "wendland-c4", "quintic"};
+const std::vector<std::string> kViscousForms = {"laplacian", "stress"};
 const std::vector<std::string> kMasses = {"equal", "graded"};
 const std::vector<std::string> kSwitch = {"off", "on"};
 const std::vector<std::string> kDirections = {"x", "y", "both"};
@@ -119,6 +120,10 @@ std::span<const SceneKey> AllSceneKeys() {
        [](S& s, const V& v) { s.sph.graded_masses = v.AsChoice(kMasses) == 1; }},
       {"fluid.velocity", "[vx, vy] at the start [m/s]", kStart, false,
        [](S& s, const V& v) { s.base.fluid.velocity = v.AsVec2(); }},
+      {"fluid.settle.time", "before the start, at rest and damped [s]", kStart, false,
+       Number(positive, [](S& s) -> double& { return s.settling.time; })},
+      {"fluid.settle.damping", "motion damping meanwhile [1/s]", kStart, false,
+       Number(positive, [](S& s) -> double& { return s.settling.damping; })},
       {"fluid.limit", "most particles that dropped blocks may lead to", kAny, false,
        [](S& s, const V& v) { s.base.particle_limit = static_cast<std::size_t>(v.AsInteger(1, kMostParticles)); }},
 
@@ -139,14 +144,20 @@ std::span<const SceneKey> AllSceneKeys() {
        Choice(kPrecisions, [](S& s) -> Precision& { return s.sph.precision; })},
       {"method.time_step", "dt [s]; the first one if the step is adaptive", kAny, true,
        Number(positive, [](S& s) -> double& { return s.base.time_step; })},
+      {"method.retries", "how often a step that breaks down is undone and halved", kStart, false,
+       [](S& s, const V& v) { s.retries = static_cast<int>(v.AsInteger(0, 30)); }},
       {"method.integration", "how velocities and positions advance", kStart, false,
        Choice(kIntegrations, [](S& s) -> Integration& { return s.base.integration; })},
       {"method.kernel", "solver delta", kStart, false,
-       Choice(kKernels, [](S& s) -> WendlandKernel& { return s.sph.delta.kernel; })},
+       Choice(kKernels, [](S& s) -> SmoothingKernel& { return s.sph.delta.kernel; })},
       {"method.diffusion", "delta of density diffusion; solver delta, liquids", kAny, false,
        Number({0, 1}, [](S& s) -> double& { return s.sph.delta.diffusion; })},
       {"method.artificial_viscosity", "alpha; solver delta, liquids", kAny, false,
        Number({0, 1}, [](S& s) -> double& { return s.sph.delta.artificial_viscosity; })},
+      {"method.sound_damping", "alpha of a bulk viscosity alpha h c rho0; solver delta, liquids", kAny, false,
+       Number({0, 1}, [](S& s) -> double& { return s.sph.delta.sound_damping; })},
+      {"method.viscous_form", "of forces.viscosity; stress leaves a surface free; solver delta, liquids", kStart, false,
+       Choice(kViscousForms, [](S& s) -> ViscousForm& { return s.sph.delta.viscous_form; })},
       {"method.shifting", "of particles towards where they lack; solver delta, liquids", kStart, false,
        [](S& s, const V& v) { s.sph.delta.shifting = v.AsChoice(kSwitch) == 1; }},
       {"method.sharp_gradient", "of pressure, to fourth order; solver delta, liquids without a surface", kStart, false,
@@ -200,6 +211,8 @@ std::span<const SceneKey> AllSceneKeys() {
        Number({0, 1}, [](S& s) -> double& { return s.base.wall.restitution; })},
       {"walls.slip", "of the fluid along walls that are mirrors", kStart, false,
        [](S& s, const V& v) { s.base.wall.no_slip = v.AsChoice(kSlips) == 1; }},
+      {"walls.layer_viscosity", "kinematic, of a turbulent boundary layer along mirrors with slip [m^2/s]; 0: none", kStart, false,
+       Number(not_negative, [](S& s) -> double& { return s.base.wall.layer_viscosity; })},
       {"walls.scaling", "how stiffness and damping follow --particles", kStart, false,
        Choice(kWallScalings, [](S& s) -> WallScaling& { return s.wall_scaling; })},
       {"arrows.wall", "the wall that Left and Right move", kStart, false,
@@ -237,6 +250,8 @@ std::span<const WallKey> AllWallKeys() {
          w.lowest = range.x;
          w.highest = range.y;
        }},
+      {"slide", "velocity along itself, to the right or upwards [m/s], of a mirror to which the fluid sticks", false,
+       [](Scene&, Wall& w, const Value& v) { w.slide = v.AsNumber(Accepted::Any()); }},
   };
   return keys;
 }

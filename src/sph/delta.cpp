@@ -1,15 +1,12 @@
 #include "sph/delta.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 namespace sph {
 
 Delta::Delta(const Parameters& base, const ParametersSPH& sph) : ParticleSystemSPH(base, sph) {
   if (sph.precision == Precision::kDouble) arrays_ = Arrays<double>();
-}
-
-std::string Delta::KernelName() const {
-  return parameters_sph.delta.kernel == WendlandKernel::kC2 ? "Wendland C2" : "Wendland C4";
 }
 
 double Delta::Sound() const {
@@ -21,7 +18,9 @@ void Delta::InitialPositions() {
   ParticleSystemSPH::InitialPositions();
   const Particles& p = particles_;
   density_.assign(p.Size(), Rho0());
-  if (!IsGas()) {
+  if (parameters.given != nullptr) {
+    if (const std::vector<double>& given = parameters.given->density; given.size() == p.Size()) density_ = given;
+  } else if (!IsGas()) {
     for (std::size_t i = 0; i < p.Size(); ++i) {
       const double pressure = FlowAt(p.Position(i)).pressure;
       density_[i] = std::visit([&](const auto& equation) { return equation.Density(pressure); },
@@ -29,6 +28,7 @@ void Delta::InitialPositions() {
     }
   }
   density_step_ = -1;
+  density_in_order_ = true;
   std::visit(
       [](auto& arrays) {
         for (auto* values : arrays.All()) values->clear();
@@ -44,6 +44,7 @@ void Delta::Reorder(std::span<const std::uint32_t> order) {
     for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = values[order[k]];
     values.swap(sorted);
   };
+  std::visit([](auto& arrays) { std::ranges::fill(arrays.rate, 0); }, arrays_);  // of other particles
   const std::size_t old = density_.size();
   density_.resize(order.size(), Rho0());  // of a block that was dropped
   apply(density_);
@@ -70,17 +71,15 @@ void Delta::ResizeArrays(std::size_t n) {
 
 void Delta::ComputeDensities(ListBlock& block) {
   std::visit(
-      [&](auto& fluid) {
-        ComputeWendlandDensity(parameters_sph.delta.kernel, InputOf(fluid), block, fluid.density.data());
-      },
+      [&](auto& fluid) { ComputeGasDensity(parameters_sph.delta.kernel, InputOf(fluid), block, fluid.density.data()); },
       fluid_);
 }
 
 void Delta::AddSpatialInteraction(const ListBlock& block) {
   std::visit(
       [&](auto& fluid) {
-        AddWendlandPressure(parameters_sph.delta.kernel, InputOf(fluid), block, fluid.pressure_term.data(),
-                            particles_.ax.data(), particles_.ay.data());
+        AddGasPressure(parameters_sph.delta.kernel, InputOf(fluid), block, fluid.pressure_term.data(),
+                       particles_.ax.data(), particles_.ay.data());
       },
       fluid_);
 }
@@ -108,6 +107,9 @@ template <typename Real>
 WaterInput<Real> Delta::WaterOf(const Arrays<Real>& arrays) const {
   const DeltaParameters& delta = parameters_sph.delta;
   const double h_c = parameters_sph.smoothing_length * Sound();
+  // An artificial viscosity of alpha h c is a kinematic one of an eighth of that in the plane [Monaghan 2005, eq. 8.8].
+  const double mu = parameters_sph.viscosity;
+  const bool stress = delta.viscous_form == ViscousForm::kStress;
   return {.kernel = delta.kernel,
           .volume = arrays.volume.data(),
           .excess = arrays.excess.data(),
@@ -119,103 +121,20 @@ WaterInput<Real> Delta::WaterOf(const Arrays<Real>& arrays) const {
           .wholeness = arrays.wholeness.data(),
           .rho0 = Rho0(),
           .diffusion = delta.diffusion * h_c,
-          .viscosity = parameters_sph.viscosity,
-          .artificial = delta.artificial_viscosity * h_c * Rho0(),
+          .viscosity = stress ? 0 : mu,
+          .artificial = delta.artificial_viscosity * h_c * Rho0() + (stress ? 8 * mu : 0),
           .spacing = InitialSpacing(),
           .sharp_gradient = delta.sharp_gradient,
           .tensile_control = delta.tensile_control};
-}
-
-namespace {
-
-bool Mirrored(ImageOf image) { return image == ImageOf::kMirrorLow || image == ImageOf::kMirrorHigh; }
-
-/// Velocity of the walls that bound the fluid on this side [m/s].
-double WallVelocity(std::span<const Wall> walls, ImageOf image, bool vertical) {
-  const FluidSide side = vertical ? (image == ImageOf::kMirrorLow ? FluidSide::kRight : FluidSide::kLeft)
-                                  : (image == ImageOf::kMirrorLow ? FluidSide::kAbove : FluidSide::kBelow);
-  const auto found = std::ranges::find(walls, side, &Wall::fluid);
-  return found == walls.end() ? 0 : found->velocity;
-}
-
-}  // namespace
-
-template <typename Real>
-void Delta::CopyVelocitiesToImages(Arrays<Real>& arrays) const {
-  const Images& images = neighbours_.AllImages();
-  const std::size_t n = particles_.Size();
-  const Ends& ends = neighbours_.CurrentEnds();
-  const Particles& p = particles_;
-  const bool sticks = parameters.wall.no_slip;
-  const double mu = parameters_sph.viscosity;
-  const double c2 = Sound() * Sound();
-  // A velocity along the wall. Turned round alone, its profile would have a kink in its second derivative there, which
-  // is -(rho g - grad p)/mu: nothing accelerates at the wall.
-  const auto along = [&](double v, std::size_t i, double depth, double gravity, double gradient) {
-    if (!sticks) return v;
-    return mu > 0 ? -v - (density_[i] * gravity - c2 * gradient) / mu * depth * depth : -v;
-  };
-  const auto depth = [](const AxisEnds& axis, ImageOf image, double at) {
-    return image == ImageOf::kMirrorLow ? at - axis.low : axis.high - at;
-  };
-  for (std::size_t k = 0; k < images.Size(); ++k) {
-    const std::uint32_t i = images.Sources()[k];
-    double vx = static_cast<double>(arrays.vx[i]), vy = static_cast<double>(arrays.vy[i]);
-    if (const ImageOf image = images.InX()[k]; Mirrored(image)) {
-      vx = 2 * WallVelocity(parameters.walls, image, true) - vx;
-      vy = along(vy, i, depth(ends.x, image, p.x[i]), parameters.gravity.y, static_cast<double>(arrays.gradient_y[i]));
-    }
-    if (const ImageOf image = images.InY()[k]; Mirrored(image)) {
-      vy = 2 * WallVelocity(parameters.walls, image, false) - vy;
-      vx = along(vx, i, depth(ends.y, image, p.y[i]), parameters.gravity.x, static_cast<double>(arrays.gradient_x[i]));
-    }
-    arrays.vx[n + k] = static_cast<Real>(vx);
-    arrays.vy[n + k] = static_cast<Real>(vy);
-  }
-}
-
-template <typename Real>
-void Delta::CopyGradientToImages(Arrays<Real>& arrays) const {
-  const Images& images = neighbours_.AllImages();
-  const std::size_t n = particles_.Size();
-  for (std::size_t k = 0; k < images.Size(); ++k) {
-    const std::uint32_t i = images.Sources()[k];
-    // The part of the fluid's weight goes on behind a mirror as before it.
-    const double weight = density_[i] / (Sound() * Sound());
-    const auto turned = [&](ImageOf image, Real value, double gravity) {
-      return Mirrored(image) ? static_cast<Real>(2 * weight * gravity) - value : value;
-    };
-    arrays.gradient_x[n + k] = turned(images.InX()[k], arrays.gradient_x[i], parameters.gravity.x);
-    arrays.gradient_y[n + k] = turned(images.InY()[k], arrays.gradient_y[i], parameters.gravity.y);
-  }
-}
-
-template <typename Real>
-void Delta::CopyPressureToImages(Arrays<Real>& arrays) const {
-  const Images& images = neighbours_.AllImages();
-  const Particles& p = particles_;
-  const Ends& ends = neighbours_.CurrentEnds();
-  const double per_c2 = 1 / (Sound() * Sound());
-  /// From a particle to its image [m]; 0 where that is no mirror's.
-  const auto across = [](const AxisEnds& axis, ImageOf image, double at) {
-    if (image == ImageOf::kMirrorLow) return 2 * (axis.low - at);
-    return image == ImageOf::kMirrorHigh ? 2 * (axis.high - at) : 0.0;
-  };
-  for (std::size_t k = 0; k < images.Size(); ++k) {
-    const std::uint32_t i = images.Sources()[k];
-    const Vec2 apart{across(ends.x, images.InX()[k], p.x[i]), across(ends.y, images.InY()[k], p.y[i])};
-    const double weight = density_[i] * Dot(parameters.gravity, apart);  // [Pa]
-    arrays.pressure[p.Size() + k] = arrays.pressure[i] + static_cast<Real>(weight);
-    arrays.excess[p.Size() + k] = arrays.excess[i] + static_cast<Real>(weight * per_c2);
-  }
 }
 
 /// From the last step's time to this one's, by the rates halfway between.
 void Delta::AdvanceDensity() {
   const PhaseTimer timer(phases_, "density");
   const Particles& p = particles_;
-  const double dt = LastStep();
+  const double dt = density_span_ = LastStep();
   const double rho0 = Rho0();
+  std::atomic<bool> breached = false;
   mid_x_.resize(p.Size());
   mid_y_.resize(p.Size());
   std::visit(
@@ -231,7 +150,7 @@ void Delta::AdvanceDensity() {
             arrays.excess[i] = static_cast<Real>(density_[i] - rho0);
           }
         });
-        SetPositions(mid_x_, mid_y_);
+        SetPositions(mid_x_, mid_y_, EndsBefore(0.5 * dt));
         CopyToImages(arrays.volume);
         CopyVelocitiesToImages(arrays);
         CopyGradientToImages(arrays);
@@ -239,17 +158,62 @@ void Delta::AdvanceDensity() {
         ForEachBlock([&](const ListBlock& block) {
           ComputeDensityRates(InputOf(fluid), WaterOf(arrays), block, arrays.rate.data());
           const auto [first, last] = ParticlesOf(block);
+          bool in_order = true;
+          for (std::size_t i = first; i < last; ++i) {
+            in_order = in_order && InOrder(density_[i] + dt * static_cast<double>(arrays.rate[i]));
+          }
+          if (!in_order) breached.store(true, std::memory_order_relaxed);
+        });
+        if (breached) return;  // densities stay what they were
+        ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {
           for (std::size_t i = first; i < last; ++i) density_[i] += dt * static_cast<double>(arrays.rate[i]);
         });
       },
       fluid_);
-  SetPositions(p.x, p.y);
+  SetPositions(p.x, p.y, neighbours_.CurrentEnds());
+  density_in_order_ = !breached;
+}
+
+/// The density of a weakly compressible liquid stays within some per cent of the reference.
+bool Delta::InOrder(double density) const { return density > 0.5 * Rho0() && density < 2 * Rho0(); }
+
+std::optional<ParticleSystem::Breach> Delta::FindBreach() const {
+  if (density_in_order_) return std::nullopt;
+  std::optional<std::size_t> first;
+  double of_first = 0;  // [kg/m^3]
+  std::visit(
+      [&](const auto& arrays) {
+        for (std::size_t i = 0; i < density_.size(); ++i) {
+          const double density = density_[i] + density_span_ * static_cast<double>(arrays.rate[i]);
+          if (InOrder(density) || (first && particles_.id[i] > particles_.id[*first])) continue;
+          first = i;
+          of_first = density;
+        }
+      },
+      arrays_);
+  return Breach{first.value(),
+                fmt::format("its density of {:.4g} kg/m^3 is {:.3g} times that of the liquid at rest; the "
+                            "step was {:.3g} s",
+                            of_first, of_first / Rho0(), parameters.time_step)};
+}
+
+std::optional<ParticleSystem::Breach> Delta::FindBrokenStart() const {
+  if (auto breach = ParticleSystemSPH::FindBrokenStart()) return breach;
+  for (std::size_t i = 0; i < density_.size(); ++i) {
+    if (IsGas() || InOrder(density_[i])) continue;
+    return Breach{i, fmt::format("its density at the start, {:.4g} kg/m^3, is {:.3g} times that of the liquid at rest",
+                                 density_[i], density_[i] / Rho0())};
+  }
+  return std::nullopt;
 }
 
 void Delta::ComputeForces() {
   const PhaseTimer timer(phases_, "pressure");
   Particles& p = particles_;
   const double rho0 = Rho0();
+  // -zeta div u with the bulk viscosity zeta = alpha h c rho0, div u being -(drho/dt)/rho0, damps sound and nothing
+  // else [P. N. Sun et al., J. Comput. Phys. 483 (2023) 112056].
+  const double damping = parameters_sph.delta.sound_damping * parameters_sph.smoothing_length * Sound();
   std::visit(
       [&]<typename Real>(FluidArrays<Real>& fluid, const auto& equation_of_state) {
         auto& arrays = std::get<Arrays<Real>>(arrays_);
@@ -257,7 +221,8 @@ void Delta::ComputeForces() {
           for (std::size_t i = first; i < last; ++i) {
             arrays.volume[i] = static_cast<Real>(p.mass[i] / density_[i]);
             arrays.excess[i] = static_cast<Real>(density_[i] - rho0);
-            arrays.pressure[i] = static_cast<Real>(equation_of_state.Pressure(density_[i]));
+            arrays.pressure[i] = static_cast<Real>(equation_of_state.Pressure(density_[i]) +
+                                                   damping * static_cast<double>(arrays.rate[i]));
             arrays.vx[i] = static_cast<Real>(p.vx[i]);
             arrays.vy[i] = static_cast<Real>(p.vy[i]);
             fluid.density[i] = static_cast<Real>(density_[i]);
@@ -275,55 +240,58 @@ void Delta::ComputeForces() {
           AddWaterForces(InputOf(fluid), WaterOf(arrays), block, p.ax.data(), p.ay.data(), sums);
           AddGravity(first, last);
           AddMotionDamping(first, last);
+          AddWallFriction(first, last);
         });
       },
       fluid_, parameters_sph.equation_of_state);
 }
 
+/// What a turbulent boundary layer takes from the particles beside a wall, which stand for a layer one spacing thick
+/// and are half of one away from it: a shear stress of rho u*^2 with u/u* = 8.3 (u* y/nu)^(1/7) at the distance y [H.
+/// Werner and H. Wengle, Turbulent Shear Flows 8 (1993) 155, the 1/7 power law].
+void Delta::AddWallFriction(std::size_t first, std::size_t last) {
+  const double nu = parameters.wall.layer_viscosity;
+  if (nu == 0 || parameters.wall.kind != WallKind::kMirror || parameters.wall.no_slip) return;
+  Particles& p = particles_;
+  const double spacing = InitialSpacing();
+  const double layer = std::pow(2 * nu / spacing, 0.25) / spacing;
+  for (const Wall& wall : parameters.walls) {
+    const auto& velocity = wall.Vertical() ? p.vy : p.vx;
+    auto& acceleration = wall.Vertical() ? p.ay : p.ax;
+    for (std::size_t i = first; i < last; ++i) {
+      if (wall.Depth(p.Position(i)) < -spacing) continue;
+      const double stress = layer * std::pow(std::abs(velocity[i]) / 8.3, 1.75);
+      acceleration[i] -= std::copysign(stress, velocity[i]);
+    }
+  }
+}
+
 /// Shifts particles towards where they are missing: by -CFL Ma (2h)^2 sum [...] grad W 2 m_j/(rho_i + rho_j)
-/// [Sun et al. 2017, eq. 7], that is -dt 4 h u_max sum, and by a twentieth of a spacing at most.
+/// [Sun et al. 2017, eq. 7, 2h being the support radius], that is -dt 2 R u_max sum, and by a twentieth of a spacing at
+/// most.
 void Delta::AfterStep() {
   if (IsGas() || !parameters_sph.delta.shifting) return;
   Particles& p = particles_;
   const double longest = 0.05 * InitialSpacing();
-  const double factor = 4 * parameters_sph.smoothing_length * LastTravel();
-  double furthest2 = 0;
+  const double factor = 2 * Support() * LastTravel();
+  furthest_shift2_.assign(ChunkCount(), 0);
   std::visit(
       [&](const auto& arrays) {
-        for (std::size_t i = 0; i < p.Size(); ++i) {
-          Vec2 shift = -factor * Vec2{static_cast<double>(arrays.shift_x[i]), static_cast<double>(arrays.shift_y[i])};
-          const double length = Length(shift);
-          if (length > longest) shift = longest / length * shift;
-          p.x[i] += shift.x;
-          p.y[i] += shift.y;
-          furthest2 = std::max(furthest2, Dot(shift, shift));
-        }
+        ForEachChunk([&](std::size_t chunk, std::size_t first, std::size_t last) {
+          double furthest2 = 0;
+          for (std::size_t i = first; i < last; ++i) {
+            Vec2 shift = -factor * Vec2{static_cast<double>(arrays.shift_x[i]), static_cast<double>(arrays.shift_y[i])};
+            const double square = Dot(shift, shift);
+            if (square > longest * longest) shift = longest / std::sqrt(square) * shift;
+            p.x[i] += shift.x;
+            p.y[i] += shift.y;
+            furthest2 = std::max(furthest2, std::min(square, longest * longest));
+          }
+          furthest_shift2_[chunk] = furthest2;
+        });
       },
       arrays_);
-  AddTravel(std::sqrt(furthest2));
-}
-
-/// 2/max(K h W(K)) of the kernel's Fourier transform for a liquid; for a gas with P = rho c^2/2 less.
-double Delta::StableSoundStep() const {
-  if (parameters_sph.delta.kernel == WendlandKernel::kC2) return IsGas() ? 1.25 : 1.76;
-  return IsGas() ? 1.09 : 1.53;
-}
-
-std::vector<StepLimit> Delta::StepLimits() const {
-  std::vector<StepLimit> limits = ParticleSystemSPH::StepLimits();
-  if (IsGas()) return limits;
-  // 2/max(2 sum V (-W'/r)(1 - cos k.x)) over the waves on a square lattice, in units of h^2: of the plain weights, with
-  // which density spreads, and of the sharp ones of the viscous force; the least of h/dx from 1.6 to 2.8.
-  const bool c2 = parameters_sph.delta.kernel == WendlandKernel::kC2;
-  const double plain = c2 ? 0.29 : 0.22;
-  const double sharp = c2 ? 0.126 : 0.102;
-  const double h = parameters_sph.smoothing_length;
-  const double spreading = parameters_sph.delta.diffusion * h * Sound();
-  if (spreading > 0) limits.push_back({"density diffusion", plain * h * h / spreading});
-  const double nu = parameters_sph.viscosity / Rho0();
-  // Half of that, because the velocity at the step is extrapolated from two half steps (Adams-Bashforth).
-  if (nu > 0) limits.push_back({"viscosity", 0.5 * sharp * h * h / nu});
-  return limits;
+  AddTravel(furthest_shift2_.empty() ? 0 : std::sqrt(std::ranges::max(furthest_shift2_)));
 }
 
 std::size_t Delta::Bytes() const {
@@ -332,6 +300,21 @@ std::size_t Delta::Bytes() const {
          std::visit(
              []<typename Real>(const Arrays<Real>& arrays) { return sizeof(Real) * 12 * arrays.volume.capacity(); },
              arrays_);
+}
+
+void Delta::Transfer(Archive& archive) {
+  ParticleSystemSPH::Transfer(archive);
+  if (IsGas()) return;
+  archive(density_, density_step_);
+  Archive::Require(density_.size() == particles_.Size());
+  std::visit(
+      [&](auto& arrays) {
+        archive(arrays.gradient_x, arrays.gradient_y, arrays.wholeness, arrays.next_wholeness, arrays.rate);
+      },
+      arrays_);
+  if (!archive.Reading()) return;
+  density_in_order_ = true;
+  ResizeArrays(particles_.Size() + neighbours_.AllImages().Size());
 }
 
 std::vector<PassPlan> Delta::Plan() const {

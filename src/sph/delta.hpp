@@ -1,4 +1,4 @@
-// The accurate solver: Wendland kernels; gas by summation, water by the continuity equation with density diffusion,
+// The accurate solver: smooth kernels; gas by summation, water by the continuity equation with density diffusion,
 // particle shifting and tensile control.
 #pragma once
 
@@ -14,25 +14,28 @@ namespace sph {
 ///
 /// A step of a liquid has two passes over neighbours. Densities go from t - dt to t by the rates at t - dt/2, with the
 /// velocities of that time: positions are put back by half a step for that pass. Then come the forces at t. As both are
-/// centred, the scheme is of second order and, without diffusion, viscosity and shifting, reversible. The renormalised
-/// gradient of density, which the diffusion needs, comes with the forces of the step before.
-class Delta final : public ParticleSystemSPH {
+/// centred, the scheme is of second order; it would be reversible if the rate did not multiply by the density of t -
+/// dt. The renormalised gradient of density, which the diffusion needs, comes with the forces of the step before.
+class Delta : public ParticleSystemSPH {
  public:
   Delta(const Parameters& base, const ParametersSPH& sph);
 
   std::string KernelName() const override;
-  double Support() const override { return WendlandC2::kSupport * parameters_sph.smoothing_length; }
+  double Support() const override { return SupportOf(parameters_sph.delta.kernel) * parameters_sph.smoothing_length; }
   std::vector<PassPlan> Plan() const override;
   std::vector<StepLimit> StepLimits() const override;
   std::size_t Bytes() const override;
+  void Transfer(Archive& archive) override;
 
  protected:
   void ComputeAccelerations() override;
   void InitialPositions() override;
   void Reorder(std::span<const std::uint32_t> order) override;
   void AfterStep() override;
+  std::optional<Breach> FindBreach() const override;
+  std::optional<Breach> FindBrokenStart() const override;
   double StableSoundStep() const override;
-  double LeastSkin() const override { return IsGas() ? 0 : LastTravel(); }
+  double LeastSkin() const override { return IsGas() ? 0 : std::min(LastTravel(), Support()); }
   void ResizeArrays(std::size_t n) override;
   void ComputeDensities(ListBlock& block) override;
   void AddSpatialInteraction(const ListBlock& block) override;
@@ -55,6 +58,7 @@ class Delta final : public ParticleSystemSPH {
   /// Speed of sound at the reference density [m/s].
   double Sound() const;
   void AdvanceDensity();
+  bool InOrder(double density) const;
   /// Of the images, from those of their sources: velocities, turned round in mirrors relative to the wall; the gradient
   /// of density, turned round, too; and what follows from the weight of the fluid between an image and its source.
   template <typename Real>
@@ -64,12 +68,16 @@ class Delta final : public ParticleSystemSPH {
   template <typename Real>
   void CopyPressureToImages(Arrays<Real>& arrays) const;
   void ComputeForces();
+  void AddWallFriction(std::size_t first, std::size_t last);
   template <typename Real>
   WaterInput<Real> WaterOf(const Arrays<Real>& arrays) const;
 
-  std::vector<double> density_;  // [kg/m^3], of a liquid
-  long density_step_ = -1;       // the step that density_ is of; -1 at the start, before any forces
+  std::vector<double> density_;   // [kg/m^3], of a liquid
+  bool density_in_order_ = true;  // else density_ is still that of the step before
+  double density_span_ = 0;       // [s], by which it was advanced last
+  long density_step_ = -1;        // the step that density_ is of; -1 at the start, before any forces
   std::vector<double> mid_x_, mid_y_;
+  std::vector<double> furthest_shift2_;  // [chunks] [m^2]
   std::variant<Arrays<float>, Arrays<double>> arrays_;
 };
 

@@ -138,7 +138,8 @@ class Surroundings {
   V rise_x_, rise_y_, fall_x_, fall_y_, lack_x_, lack_y_;
 };
 
-template <typename Real, template <class> class Kernel, bool kViscous, bool kArtificial>
+/// kMaySharpen: the push has weights of its own if the input wants them; else it never has.
+template <typename Real, template <class> class Kernel, bool kMaySharpen, bool kViscous, bool kArtificial>
 void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax, double* ay,
             const WaterSums<Real>& sums) {
   const hn::ScalableTag<Real> d;
@@ -148,7 +149,8 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
   const double slope = Kernel<decltype(d)>::SlopeFactor(input.support, unit);
   const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<Real>(value)); };
   const auto spacing = set(water.spacing / unit);
-  const auto per_value_at_spacing = hn::Div(set(1), kernel.ValueOf(kernel.Rest(hn::Mul(spacing, spacing))));
+  const auto at_spacing = kernel.ValueOf(kernel.At({d, hn::Mul(spacing, spacing)}));
+  const auto per_value_at_spacing = hn::Div(set(1), at_spacing);
   const auto one = set(1), fifth = set(0.2);
   const auto push_factor = set(slope), drag_factor = set(2 * water.viscosity * slope / unit);
   const auto brake_factor = set(water.artificial * slope / unit);
@@ -171,10 +173,11 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
     const auto list = refine ? refinement.Of(k) : block.Of(k);
     pairs.ForEach(cluster, list, [&](std::uint32_t j, auto dx, auto dy, auto r2) HWY_ATTR {
       if (refine) refinement.Look(j, r2);
-      const auto rest = kernel.Rest(r2);
-      const auto weight = hn::Mul(kernel.SlopeOf(rest), hn::Set(d, water.volume[j]));
-      const auto push_weight = hn::Mul(weight, hn::NegMulAdd(r2, push_fall, push_flat));
-      const auto push = hn::Mul(push_weight, hn::Add(own_pressure, hn::Set(d, water.pressure[j])));
+      const Distance<decltype(d)> r(d, r2);
+      const auto place = kernel.At(r);
+      const auto weight = hn::Mul(kernel.SlopeOf(place), hn::Set(d, water.volume[j]));
+      auto push = hn::Mul(weight, hn::Add(own_pressure, hn::Set(d, water.pressure[j])));
+      if constexpr (kMaySharpen) push = hn::Mul(push, hn::NegMulAdd(r2, push_fall, push_flat));
       push_x = hn::MulAdd(push, dx, push_x);
       push_y = hn::MulAdd(push, dy, push_y);
       if constexpr (kViscous || kArtificial) {
@@ -186,12 +189,13 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
           drag_y = hn::MulAdd(sharp, dv, drag_y);
         }
         if constexpr (kArtificial) {
-          const auto brake = hn::Mul(weight, hn::Div(hn::MulAdd(du, dx, hn::Mul(dv, dy)), r2));
+          const auto approach = hn::Mul(hn::MulAdd(du, dx, hn::Mul(dv, dy)), r.Inverse());
+          const auto brake = hn::Mul(hn::Mul(weight, r.Inverse()), approach);
           brake_x = hn::MulAdd(brake, dx, brake_x);
           brake_y = hn::MulAdd(brake, dy, brake_y);
         }
       }
-      const auto ratio = hn::Mul(kernel.ValueOf(rest), per_value_at_spacing);
+      const auto ratio = hn::Mul(kernel.ValueOf(place), per_value_at_spacing);
       const auto square = hn::Mul(ratio, ratio);
       const auto bias = hn::MulAdd(hn::Mul(square, square), fifth, one);
       around.Add(weight, dx, dy, hn::Sub(hn::Set(d, water.excess[j]), excess),
@@ -212,44 +216,51 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
   block.coarse = false;
 }
 
+/// Compiled for the combinations of terms that scenes have; the others take one that has more.
 template <typename Real, template <class> class Kernel>
 void ForcesWith(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax, double* ay,
                 const WaterSums<Real>& sums) {
-  const bool viscous = water.viscosity != 0;
-  if (water.artificial != 0) {
-    if (viscous) return Forces<Real, Kernel, true, true>(input, water, block, ax, ay, sums);
-    return Forces<Real, Kernel, false, true>(input, water, block, ax, ay, sums);
+  const bool viscous = water.viscosity != 0, artificial = water.artificial != 0;
+  if (!water.sharp_gradient && !viscous) {
+    if (artificial) return Forces<Real, Kernel, false, false, true>(input, water, block, ax, ay, sums);
+    return Forces<Real, Kernel, false, false, false>(input, water, block, ax, ay, sums);
   }
-  if (viscous) return Forces<Real, Kernel, true, false>(input, water, block, ax, ay, sums);
-  return Forces<Real, Kernel, false, false>(input, water, block, ax, ay, sums);
+  if (artificial) return Forces<Real, Kernel, true, true, true>(input, water, block, ax, ay, sums);
+  Forces<Real, Kernel, true, true, false>(input, water, block, ax, ay, sums);
 }
 
 }  // namespace
 
-#define SPH_PASSES_OF(Real, Name)                                                                                    \
-  void WendlandDensity##Name(WendlandKernel kernel, const PassInput<Real>& input, ListBlock& block, Real* density) { \
-    if (kernel == WendlandKernel::kC2) return DensityOf<Real, WendlandC2Lanes>(input, block, density);               \
-    DensityOf<Real, WendlandC4Lanes>(input, block, density);                                                         \
-  }                                                                                                                  \
-  void WendlandPressure##Name(WendlandKernel kernel, const PassInput<Real>& input, const ListBlock& block,           \
-                              const Real* term, double* ax, double* ay) {                                            \
-    if (kernel == WendlandKernel::kC2) return PressureOf<Real, WendlandC2Lanes>(input, block, term, ax, ay);         \
-    PressureOf<Real, WendlandC4Lanes>(input, block, term, ax, ay);                                                   \
-  }                                                                                                                  \
-  void DensityRates##Name(const PassInput<Real>& input, const WaterInput<Real>& water, const ListBlock& block,       \
-                          Real* rate) {                                                                              \
-    if (water.kernel == WendlandKernel::kC2) return Rates<Real, WendlandC2Lanes>(input, water, block, rate);         \
-    Rates<Real, WendlandC4Lanes>(input, water, block, rate);                                                         \
-  }                                                                                                                  \
-  void WaterForces##Name(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax,  \
-                         double* ay, const WaterSums<Real>& sums) {                                                  \
-    if (water.kernel == WendlandKernel::kC2)                                                                         \
-      return ForcesWith<Real, WendlandC2Lanes>(input, water, block, ax, ay, sums);                                   \
-    ForcesWith<Real, WendlandC4Lanes>(input, water, block, ax, ay, sums);                                            \
+// Calls pass<Real, Lanes>(arguments) with the lanes of that kernel.
+#define SPH_WITH_KERNEL(kernel, Real, pass, ...)          \
+  switch (kernel) {                                       \
+    case SmoothingKernel::kWendlandC2:                    \
+      return pass<Real, WendlandC2Lanes>(__VA_ARGS__);    \
+    case SmoothingKernel::kWendlandC4:                    \
+      return pass<Real, WendlandC4Lanes>(__VA_ARGS__);    \
+    case SmoothingKernel::kQuintic:                       \
+      return pass<Real, QuinticSplineLanes>(__VA_ARGS__); \
+  }
+#define SPH_PASSES_OF(Real, Name)                                                                                   \
+  void GasDensity##Name(SmoothingKernel kernel, const PassInput<Real>& input, ListBlock& block, Real* density) {    \
+    SPH_WITH_KERNEL(kernel, Real, DensityOf, input, block, density)                                                 \
+  }                                                                                                                 \
+  void GasPressure##Name(SmoothingKernel kernel, const PassInput<Real>& input, const ListBlock& block,              \
+                         const Real* term, double* ax, double* ay) {                                                \
+    SPH_WITH_KERNEL(kernel, Real, PressureOf, input, block, term, ax, ay)                                           \
+  }                                                                                                                 \
+  void DensityRates##Name(const PassInput<Real>& input, const WaterInput<Real>& water, const ListBlock& block,      \
+                          Real* rate) {                                                                             \
+    SPH_WITH_KERNEL(water.kernel, Real, Rates, input, water, block, rate)                                           \
+  }                                                                                                                 \
+  void WaterForces##Name(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax, \
+                         double* ay, const WaterSums<Real>& sums) {                                                 \
+    SPH_WITH_KERNEL(water.kernel, Real, ForcesWith, input, water, block, ax, ay, sums)                              \
   }
 SPH_PASSES_OF(float, Float)
 SPH_PASSES_OF(double, Double)
 #undef SPH_PASSES_OF
+#undef SPH_WITH_KERNEL
 
 }  // namespace HWY_NAMESPACE
 }  // namespace sph
@@ -259,19 +270,19 @@ HWY_AFTER_NAMESPACE();
 namespace sph {
 
 #define SPH_DISPATCH(Real, Name)                                                                                       \
-  HWY_EXPORT(WendlandDensity##Name);                                                                                   \
-  HWY_EXPORT(WendlandPressure##Name);                                                                                  \
+  HWY_EXPORT(GasDensity##Name);                                                                                        \
+  HWY_EXPORT(GasPressure##Name);                                                                                       \
   HWY_EXPORT(DensityRates##Name);                                                                                      \
   HWY_EXPORT(WaterForces##Name);                                                                                       \
   template <>                                                                                                          \
-  void ComputeWendlandDensity<Real>(WendlandKernel kernel, const PassInput<Real>& input, ListBlock& block,             \
-                                    Real* density) {                                                                   \
-    HWY_DYNAMIC_DISPATCH(WendlandDensity##Name)(kernel, input, block, density);                                        \
+  void ComputeGasDensity<Real>(SmoothingKernel kernel, const PassInput<Real>& input, ListBlock& block,                 \
+                               Real* density) {                                                                        \
+    HWY_DYNAMIC_DISPATCH(GasDensity##Name)(kernel, input, block, density);                                             \
   }                                                                                                                    \
   template <>                                                                                                          \
-  void AddWendlandPressure<Real>(WendlandKernel kernel, const PassInput<Real>& input, const ListBlock& block,          \
-                                 const Real* pressure_term, double* ax, double* ay) {                                  \
-    HWY_DYNAMIC_DISPATCH(WendlandPressure##Name)(kernel, input, block, pressure_term, ax, ay);                         \
+  void AddGasPressure<Real>(SmoothingKernel kernel, const PassInput<Real>& input, const ListBlock& block,              \
+                            const Real* pressure_term, double* ax, double* ay) {                                       \
+    HWY_DYNAMIC_DISPATCH(GasPressure##Name)(kernel, input, block, pressure_term, ax, ay);                              \
   }                                                                                                                    \
   template <>                                                                                                          \
   void ComputeDensityRates<Real>(const PassInput<Real>& input, const WaterInput<Real>& water, const ListBlock& block,  \

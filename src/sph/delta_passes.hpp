@@ -1,24 +1,30 @@
-// The passes of the accurate solver over neighbours, on vectors: Wendland density and pressure for gas; rates of
-// density and forces for water.
+// The passes of the accurate solver over neighbours, on vectors: density and pressure for gas; rates of density and
+// forces for water.
 #pragma once
 
 #include "sph/cluster_passes.hpp"
+#include "sph/kernels.hpp"
 
 namespace sph {
 
-enum class WendlandKernel { kC2, kC4 };
+enum class SmoothingKernel { kWendlandC2, kWendlandC4, kQuintic };
+
+/// Support radius over h.
+inline double SupportOf(SmoothingKernel kernel) {
+  return kernel == SmoothingKernel::kQuintic ? QuinticSpline::kSupport : WendlandC2::kSupport;
+}
 
 /// ComputeCubicSplineDensity and AddCubicSplinePressure with another kernel.
 template <typename Real>
-void ComputeWendlandDensity(WendlandKernel kernel, const PassInput<Real>& input, ListBlock& block, Real* density);
+void ComputeGasDensity(SmoothingKernel kernel, const PassInput<Real>& input, ListBlock& block, Real* density);
 template <typename Real>
-void AddWendlandPressure(WendlandKernel kernel, const PassInput<Real>& input, const ListBlock& block,
-                         const Real* pressure_term, double* ax, double* ay);
+void AddGasPressure(SmoothingKernel kernel, const PassInput<Real>& input, const ListBlock& block,
+                    const Real* pressure_term, double* ax, double* ay);
 
 /// What the passes for water read, of all particles and images.
 template <typename Real>
 struct WaterInput {
-  WendlandKernel kernel = WendlandKernel::kC2;
+  SmoothingKernel kernel = SmoothingKernel::kWendlandC2;
   const Real* volume = nullptr;    ///< m/rho [m^2]
   const Real* excess = nullptr;    ///< rho - rho0 [kg/m^3]
   const Real* pressure = nullptr;  ///< [Pa]

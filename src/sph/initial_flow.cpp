@@ -17,6 +17,22 @@ FlowAtPoint Hydrostatic(Vec2 point, const FlowScale& scale) {
   return {{}, -scale.density * scale.gravity.y * (scale.box.y1 - point.y)};
 }
 
+/// A wave that stands, as long as the fluid is wide, at the moment when its surface is flat and its speed greatest:
+/// u = V sin kx cosh ky, v = -V cos kx sinh ky over the floor y = 0, with U = V sinh kH at the surface [A.
+/// Souto-Iglesias et al. 2012, in the form of H. Lamb, Hydrodynamics, 1932, art. 228]. The pressure is the exact one of
+/// that moment: by Bernoulli's theorem rho (g (H - y) + F - |u|^2/2), F being the harmonic function that is |u|^2/2 at
+/// the surface, where |u|^2 = V^2/2 (cosh 2ky - cos 2kx).
+FlowAtPoint StandingWave(Vec2 point, const FlowScale& scale) {
+  const double k = 2 * pi / scale.box.Width();
+  const double height = scale.box.Height();
+  const double x = k * (point.x - scale.box.x0), y = k * (point.y - scale.box.y0);
+  const double v = scale.speed / std::sinh(k * height);
+  const double surface = std::cosh(2 * k * height), here = std::cosh(2 * y);
+  const double dynamic = 0.25 * v * v * (surface - here + std::cos(2 * x) * (1 - here / surface));
+  return {{v * std::sin(x) * std::cosh(y), -v * std::cos(x) * std::sinh(y)},
+          Hydrostatic(point, scale).pressure + scale.density * dynamic};
+}
+
 /// u = -U cos kx sin ky, v = U sin kx cos ky, p = -rho U^2/4 (cos 2kx + cos 2ky), k = 2 pi/L [G. I. Taylor & A. E.
 /// Green, Proc. R. Soc. A 158 (1937) 499].
 FlowAtPoint TaylorGreen(Vec2 point, const FlowScale& scale) {
@@ -70,16 +86,25 @@ FlowAtPoint StarAtRest(Vec2 point, const FlowScale& scale) {
   return star;
 }
 
+/// The same star, moving as v = U/R (x, -y).
+FlowAtPoint EllipticStar(Vec2 point, const FlowScale& scale) {
+  FlowAtPoint star = Star(point, scale);
+  star.velocity.y = -star.velocity.y;
+  return star;
+}
+
 }  // namespace
 
 std::span<const InitialFlow> AllInitialFlows() {
   static const std::array flows = {
       InitialFlow{"rest", "no motion, reference density", &AtRest},
       InitialFlow{"hydrostatic", "no motion, pressure that carries the fluid above", &Hydrostatic},
+      InitialFlow{"standing-wave", "a wave between two walls, when its surface is flat", &StandingWave},
       InitialFlow{"taylor-green", "a periodic array of vortices", &TaylorGreen},
       InitialFlow{"stretching", "a drop that becomes an ellipse", &Stretching},
       InitialFlow{"star", "a toy star at rest", &StarAtRest},
       InitialFlow{"breathing-star", "a toy star that swells from its static size", &Star},
+      InitialFlow{"elliptic-star", "a toy star that becomes an ellipse from its static shape", &EllipticStar},
       InitialFlow{"rotating-square", "a square that turns like a rigid body", &RotatingSquare},
   };
   return flows;

@@ -144,13 +144,12 @@ class WendlandC2Lanes {
   WendlandC2Lanes(D d, T support) : d_(d), support_(hn::Set(d, support)), per_support_(hn::Set(d, 1 / support)) {}
 
   /// 1 - s, not below 0
-  HWY_INLINE V Rest(V r2) const {
-    const V rest = hn::Mul(Distance<D>(d_, r2).SubtractedFrom(support_), per_support_);
-    return hn::Max(rest, hn::Zero(d_));
+  HWY_INLINE V At(const Distance<D>& r) const {
+    return hn::Max(hn::Mul(r.SubtractedFrom(support_), per_support_), hn::Zero(d_));
   }
-  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(Rest(r2)), sum); }
-  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(Rest(r2)); }
-  /// The same from 1 - s, where both are wanted.
+  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(At(Distance<D>(d_, r2))), sum); }
+  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(At(Distance<D>(d_, r2))); }
+  /// The same from what At has found, where both are wanted.
   HWY_INLINE V ValueOf(V rest) const {
     const V square = hn::Mul(rest, rest);
     const V linear = hn::NegMulAdd(rest, hn::Set(d_, T(4)), hn::Set(d_, T(5)));
@@ -180,9 +179,9 @@ class WendlandC4Lanes {
 
   WendlandC4Lanes(D d, T support) : d_(d), rest_(d, support) {}
 
-  HWY_INLINE V Rest(V r2) const { return rest_.Rest(r2); }
-  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(Rest(r2)), sum); }
-  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(Rest(r2)); }
+  HWY_INLINE V At(const Distance<D>& r) const { return rest_.At(r); }
+  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(At(Distance<D>(d_, r2))), sum); }
+  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(At(Distance<D>(d_, r2))); }
   HWY_INLINE V ValueOf(V rest) const {
     // 35 s^2 + 18 s + 3 in powers of 1 - s
     const V square = hn::Mul(rest, rest);
@@ -199,6 +198,63 @@ class WendlandC4Lanes {
  private:
   D d_;
   WendlandC2Lanes<D> rest_;
+};
+
+/// Quintic spline, q = 3s: W = C ((3-q)^5 - 6 (2-q)^5 + 15 (1-q)^5), -W'/r = 45 C/R^2 ((3-q)^4 - 6 (2-q)^4 + 15
+/// (1-q)^4)/q, C = 63/(478 pi R^2), each power only where its base is positive.
+template <class D>
+class QuinticSplineLanes {
+ public:
+  using V = hn::Vec<D>;
+  using T = hn::TFromD<D>;
+
+  static constexpr double kFlat = 3.502469008548194;
+  static constexpr double kFall = 11.655310366049438;
+  static double ValueFactor(double support, double) { return 63 / (478 * std::numbers::pi * support * support); }
+  static double SlopeFactor(double support, double unit) {
+    return 45 * ValueFactor(support, unit) * unit / (support * support);
+  }
+
+  QuinticSplineLanes(D d, T support)
+      : d_(d), support_(hn::Set(d, support)), per_h_(hn::Set(d, 3 / support)), h_(hn::Set(d, support / 3)) {}
+
+  struct Place {
+    V outer;  // 3 - q, not below 0
+    V per_q;
+  };
+  HWY_INLINE Place At(const Distance<D>& r) const {
+    return {Positive(hn::Mul(r.SubtractedFrom(support_), per_h_)), hn::Mul(r.Inverse(), h_)};
+  }
+  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(At(Distance<D>(d_, r2))), sum); }
+  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(At(Distance<D>(d_, r2))); }
+  HWY_INLINE V ValueOf(const Place& place) const {
+    const V middle = Positive(hn::Sub(place.outer, Set(1)));
+    const V inner = Positive(hn::Sub(place.outer, Set(2)));
+    const V sum =
+        hn::NegMulAdd(FourthPower(middle), hn::Mul(middle, Set(6)), hn::Mul(FourthPower(place.outer), place.outer));
+    return hn::MulAdd(FourthPower(inner), hn::Mul(inner, Set(15)), sum);
+  }
+  HWY_INLINE V SlopeOf(const Place& place) const {
+    const V middle = Positive(hn::Sub(place.outer, Set(1)));
+    const V far = hn::Mul(hn::NegMulAdd(FourthPower(middle), Set(6), FourthPower(place.outer)), place.per_q);
+    // Where q < 1 the powers multiplied out, because over a small q their round-off would count.
+    const V q = hn::Sub(Set(3), place.outer);
+    const V near = hn::MulAdd(hn::Mul(q, q), hn::MulAdd(q, Set(10), Set(-24)), Set(24));
+    return hn::IfThenElse(hn::Lt(q, Set(1)), near, far);
+  }
+
+ private:
+  HWY_INLINE V Set(double value) const { return hn::Set(d_, static_cast<T>(value)); }
+  HWY_INLINE V Positive(V values) const { return hn::Max(values, hn::Zero(d_)); }
+  HWY_INLINE static V FourthPower(V values) {
+    const V square = hn::Mul(values, values);
+    return hn::Mul(square, square);
+  }
+
+  D d_;
+  V support_;
+  V per_h_;
+  V h_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -101,6 +101,34 @@ class WendlandC4 {
   double c_;
 };
 
+/// Quintic spline in the plane [Morris, Fox & Zhu, J. Comput. Phys. 136 (1997) 214, eq. 20]: W = 7/(478 pi h^2)
+/// ((3-q)^5 - 6 (2-q)^5 + 15 (1-q)^5) for q < 3, each power only where its base is positive.
+class QuinticSpline {
+ public:
+  static constexpr double kSupport = 3;
+
+  explicit QuinticSpline(double h) : per_h_(1 / h), c_(7 / (478 * std::numbers::pi * h * h)) {
+    SPH_CHECK(h > 0, "h = {}", h);
+  }
+
+  double Value(double r) const {
+    const double q = r * per_h_;
+    const auto power = [q](double end) { return q < end ? std::pow(end - q, 5) : 0; };
+    return c_ * (power(3) - 6 * power(2) + 15 * power(1));
+  }
+  double Gradient(double r) const {
+    const double q = r * per_h_;
+    const double c = 5 * c_ * per_h_ * per_h_;
+    if (q < 1) return -c * (24 - 24 * q * q + 10 * q * q * q);  // the powers multiplied out, over q
+    const auto power = [q](double end) { return q < end ? std::pow(end - q, 4) : 0; };
+    return -c * (power(3) - 6 * power(2)) / q;
+  }
+
+ private:
+  double per_h_;
+  double c_;
+};
+
 /// Poly6 in the plane [Mueller, Charypar & Gross 2003, eq. 20, with the plane's constant]: W = 4/(pi h^8) (h^2 - r^2)^3
 /// for r < h. Here h is the support radius.
 class Poly6 {

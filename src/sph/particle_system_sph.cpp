@@ -18,14 +18,14 @@ void ParticleSystemSPH::RestoreParameters() {
 
 void ParticleSystemSPH::InitialPositions() {
   ParticleSystem::InitialPositions();
-  if (parameters_sph.flow == nullptr) return;
+  if (parameters_sph.flow == nullptr || parameters.given != nullptr) return;
   Particles& p = particles_;
   for (std::size_t i = 0; i < p.Size(); ++i) {
     const Vec2 velocity = parameters.fluid.velocity + FlowAt(p.Position(i)).velocity;
     p.vx[i] = p.vx_prev[i] = velocity.x;
     p.vy[i] = p.vy_prev[i] = velocity.y;
   }
-  if (!parameters_sph.graded_masses) return;
+  if (!parameters_sph.graded_masses || !parameters.start.empty()) return;
   const double rho0 = ReferenceDensity(parameters_sph.equation_of_state);
   double sum = 0;  // [kg/m^3]
   for (std::size_t i = 0; i < p.Size(); ++i) {
@@ -66,9 +66,10 @@ void ParticleSystemSPH::PrepareGrid() {
   const PhaseTimer timer(phases_, "grid");
   Particles& p = particles_;
   SearchTask task = neighbours_.NextTask(Travelled(), Support());
-  const Ends ends = EndsNow();
+  const Ends ends = EndsBefore(0);
   if (ends != neighbours_.CurrentEnds() && task == SearchTask::kNothing) task = SearchTask::kLists;
   neighbours_.SetEnds(ends);
+  neighbours_.UseThreads(ThreadCount());
   std::visit(
       [&]<typename Real>(FluidArrays<Real>& fluid) {
         if (task == SearchTask::kSort) {
@@ -84,7 +85,7 @@ void ParticleSystemSPH::PrepareGrid() {
           ResizeArrays(p.Size() + neighbours_.AllImages().Size());
           if (!fluid.mass.empty()) CopyToImages(fluid.mass);
         }
-        SetPositions(p.x, p.y);
+        SetPositions(p.x, p.y, ends);
         if (task == SearchTask::kNothing) return;
         ForEachBlock([&](ListBlock& block) { FindCells(block); });
         neighbours_.Finish();
@@ -114,11 +115,10 @@ std::optional<std::pair<std::vector<double>, std::vector<double>>> ParticleSyste
   return shown;
 }
 
-/// Periodic ends, and walls that are mirrors.
-Ends ParticleSystemSPH::EndsNow() const {
+Ends ParticleSystemSPH::EndsBefore(double seconds) const {
   Ends ends;
   if (parameters.wall.kind == WallKind::kMirror) {
-    const Box legal = LegalRegion(parameters.walls);
+    const Box legal = LegalRegion(parameters.walls, seconds);
     ends = {{legal.x0, legal.x1}, {legal.y0, legal.y1}};
   }
   const Periods& periods = parameters_sph.periods;
@@ -127,13 +127,13 @@ Ends ParticleSystemSPH::EndsNow() const {
   return ends;
 }
 
-void ParticleSystemSPH::SetPositions(std::span<const double> x, std::span<const double> y) {
+void ParticleSystemSPH::SetPositions(std::span<const double> x, std::span<const double> y, const Ends& ends) {
   std::visit(
       [&](auto& fluid) {
         ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {
           fluid.positions.Set(x, y, Support(), first, last);
         });
-        neighbours_.AllImages().Place(neighbours_.CurrentEnds(), x, y, image_x_, image_y_);
+        neighbours_.AllImages().Place(ends, x, y, image_x_, image_y_);
         fluid.positions.SetImages(image_x_, image_y_, Support(), x.size());
       },
       fluid_);
@@ -248,6 +248,16 @@ double ParticleSystemSPH::FastestSound() const {
                     parameters_sph.equation_of_state);
 }
 
+/// No further than the support, or than lists may reach beyond it: no particle may have two images of another there.
+double ParticleSystemSPH::LongestMove() const {
+  const Periods& periods = parameters_sph.periods;
+  double longest = Support();
+  if (periods.in_x) longest = std::min(longest, 0.5 * periods.box.Width() - Support());
+  if (periods.in_y) longest = std::min(longest, 0.5 * periods.box.Height() - Support());
+  constexpr double kForShifts = 0.9;
+  return longest < Support() ? kForShifts * longest : longest;
+}
+
 /// 1.31 to 1.38 for the cubic spline's gas, P = rho c^2/2; more where pressures are lower.
 double ParticleSystemSPH::StableSoundStep() const { return 1.31; }
 
@@ -273,13 +283,18 @@ std::vector<StepLimit> ParticleSystemSPH::StepLimits() const {
 double ParticleSystemSPH::MeanNeighbours() const {
   const Particles& p = particles_;
   const double support2 = Support() * Support();
+  std::vector<double> x, y;  // of the images
+  neighbours_.AllImages().Place(neighbours_.CurrentEnds(), p.x, p.y, x, y);
+  const auto position = [&](std::size_t j) {
+    return j < p.Size() ? p.Position(j) : Vec2{x[j - p.Size()], y[j - p.Size()]};
+  };
   std::size_t pairs = 0;
   for (const ListBlock& block : neighbours_.Blocks()) {
     for (std::uint32_t k = block.first; k < block.last; ++k) {
       const Cluster& cluster = neighbours_.Clusters()[k];
       for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
         for (const std::uint32_t j : block.Of(k)) {
-          const Vec2 apart = p.Position(i) - p.Position(j);
+          const Vec2 apart = p.Position(i) - position(j);
           pairs += j != i && Dot(apart, apart) < support2 ? 1 : 0;
         }
       }
@@ -290,6 +305,23 @@ double ParticleSystemSPH::MeanNeighbours() const {
 
 std::size_t ParticleSystemSPH::Bytes() const {
   return particles_.Bytes() + neighbours_.Bytes() + std::visit([](const auto& fluid) { return fluid.Bytes(); }, fluid_);
+}
+
+void ParticleSystemSPH::Transfer(Archive& archive) {
+  ParticleSystem::Transfer(archive);
+  if (archive.Wanted() == Archive::Extent::kPhysics) {
+    if (archive.Reading()) neighbours_.Invalidate();
+    return;
+  }
+  std::visit(
+      [&]<typename Real>(FluidArrays<Real>& fluid) {
+        neighbours_.Transfer(archive, particles_.Size(), Lanes<Real>());
+        archive(fluid.mass, fluid.density);  // who looks before the next step sees the density of the last
+        if (!archive.Reading()) return;
+        Archive::Require(fluid.mass.empty() || fluid.mass.size() >= particles_.Size());
+        ResizeArrays(particles_.Size() + neighbours_.AllImages().Size());
+      },
+      fluid_);
 }
 
 std::vector<PassPlan> ParticleSystemSPH::Plan() const {

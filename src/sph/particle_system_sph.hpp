@@ -17,13 +17,23 @@ namespace sph {
 /// Of the passes over neighbours; positions and velocities are always kept in double.
 enum class Precision { kFloat, kDouble };
 
+/// How solver delta computes the physical viscosity of a liquid.
+enum class ViscousForm {
+  kLaplacian,  ///< mu lap u, to fourth order inside: for walls and periods [Morris, Fox & Zhu 1997, eq. 22]
+  /// div(2 mu D), along the lines between particles: it leaves a free surface free of stress, and keeps angular
+  /// momentum [J. J. Monaghan & R. A. Gingold 1983; A. Colagrossi et al., Phys. Rev. E 84 (2011) 026705]
+  kStress,
+};
+
 /// Of solver delta.
 struct DeltaParameters {
-  WendlandKernel kernel = WendlandKernel::kC2;
+  SmoothingKernel kernel = SmoothingKernel::kWendlandC2;
   double diffusion = 0.1;           ///< delta, of density in a liquid
   double artificial_viscosity = 0;  ///< alpha, in a liquid
-  bool shifting = true;             ///< of the particles of a liquid
-  bool tensile_control = true;      ///< particles of a liquid do not pull at each other; this costs conservation
+  ViscousForm viscous_form = ViscousForm::kLaplacian;
+  double sound_damping = 0;     ///< alpha of a bulk viscosity alpha h c rho0, in a liquid
+  bool shifting = true;         ///< of the particles of a liquid
+  bool tensile_control = true;  ///< particles of a liquid do not pull at each other; this costs conservation
   /// Of pressure in a liquid, to fourth order where particles fill the support. It is not the divergence's adjoint, so
   /// that at a free surface energy is not kept.
   bool sharp_gradient = false;
@@ -33,7 +43,7 @@ struct DeltaParameters {
 struct ParametersSPH {
   double smoothing_length = 0;  ///< h [m]; for the tutorial's kernels h is the support radius
   EquationOfState equation_of_state;
-  double viscosity = 0;            ///< mu [Pa s]; solver mueller only
+  double viscosity = 0;            ///< mu [Pa s]; solver mueller, and delta for liquids
   bool mueller_published = false;  ///< solver mueller: with the mistakes of its published program
   Precision precision = Precision::kDouble;
   DeltaParameters delta = {};
@@ -68,6 +78,8 @@ class ParticleSystemSPH : public ParticleSystem {
   /// Of all arrays that grow with the particles.
   virtual std::size_t Bytes() const;
 
+  void Transfer(Archive& archive) override;
+
   /// May be changed between steps, the precision excepted.
   ParametersSPH parameters_sph;
 
@@ -80,7 +92,7 @@ class ParticleSystemSPH : public ParticleSystem {
   void ComputeAccelerations() override;
   void InitialPositions() override;
   void RestoreParameters() override;
-  double LongestMove() const override { return Support(); }
+  double LongestMove() const override;
   /// All in the periodic box; between two sorts some are a little beyond it.
   std::optional<std::pair<std::vector<double>, std::vector<double>>> ShownPositions() const override;
   void ForgetNeighbours() override;
@@ -97,8 +109,10 @@ class ParticleSystemSPH : public ParticleSystem {
   virtual double LeastSkin() const { return 0; }
   /// Makes room in the arrays of the passes for n particles, images included, and the padding.
   virtual void ResizeArrays(std::size_t n);
-  /// Positions [m] that the passes shall see, those of the images follow from them.
-  void SetPositions(std::span<const double> x, std::span<const double> y);
+  /// Periodic ends, and walls that are mirrors, where they were so long ago [s].
+  Ends EndsBefore(double seconds) const;
+  /// Positions [m] that the passes shall see; those of the images follow from them and the ends of that time.
+  void SetPositions(std::span<const double> x, std::span<const double> y, const Ends& ends);
   /// Values of the images, behind those of the particles.
   template <typename Real>
   void CopyToImages(std::vector<Real>& values) const;
@@ -123,7 +137,6 @@ class ParticleSystemSPH : public ParticleSystem {
  private:
   double FastestSound() const;  // [m/s]
   void WrapPositions();
-  Ends EndsNow() const;
 
   std::vector<double> image_x_, image_y_;  // [m]
 
@@ -134,8 +147,12 @@ template <typename Work>
 void ParticleSystemSPH::ForEachBlock(Work work) {
   constexpr std::size_t kBlocksOfOneThread = 3;  // waking the others costs more than so little work
   std::vector<ListBlock>& blocks = neighbours_.Blocks();
+  FirstFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(ThreadCount()) if (blocks.size() > kBlocksOfOneThread)
-  for (std::size_t b = 0; b < blocks.size(); ++b) work(blocks[b]);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    failure.Catch([&] { work(blocks[b]); });
+  }
+  failure.Rethrow();
 }
 
 template <typename Real>

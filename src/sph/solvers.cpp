@@ -19,11 +19,11 @@ std::unique_ptr<ParticleSystemSPH> Make(const Parameters& base, const Parameters
 std::span<const Solver> AllSolvers() {
   static const std::array solvers = {
       Solver{"paper", "cubic spline, summation density, symmetric pressure (Braune & Lewiner)",
-             &Make<ParticleSystemSPH>},
+             &Make<ParticleSystemSPH>, 1.3, false, false},
       Solver{"mueller", "Poly6, Spiky and Viscosity kernels, ideal gas, viscosity (Mueller; Schuermann's tutorial)",
-             &Make<Mueller>},
+             &Make<Mueller>, 1.75, true, false},
       Solver{"delta", "Wendland kernels; liquids with density diffusion and particle shifting (Antuono, Marrone, Sun)",
-             &Make<Delta>},
+             &Make<Delta>, 2, true, true},
   };
   return solvers;
 }

@@ -13,6 +13,9 @@ struct Solver {
   std::string name;
   std::string what;  ///< one line for people
   std::unique_ptr<ParticleSystemSPH> (*make)(const Parameters&, const ParametersSPH&);
+  double usual_h = 0;    ///< smoothing length over spacing, where nothing else is said
+  bool viscous = false;  ///< knows forces.viscosity
+  bool mirrors = false;  ///< knows walls that are mirrors
 };
 
 /// Every solver, in the order in which they are shown.

@@ -21,6 +21,7 @@ std::span<const Control> AllControls() {
        [](S& s, Key) { s.MoveWall(0); }},
       {{"space"}, "space", "drop a block of fluid", [](S& s, Key) { s.DropBlock(); }},
       {{"r"}, "r", "reset", [](S& s, Key) { s.Reset(); }},
+      {{"b"}, "b", "back to the last good state", [](S& s, Key) { s.GoBack(); }},
       {{"p"},
        "p",
        "pause, go on",

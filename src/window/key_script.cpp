@@ -70,15 +70,27 @@ KeyScript::KeyScript(const std::string& text, const Scene& scene) {
 }
 
 void KeyScript::Play(Session& session) {
-  constexpr double kRoundOff = 1e-9;  // [s], of the sum of the time steps
-  for (; next_ < events_.size() && events_[next_].time <= session.System().Time() + kRoundOff; ++next_) {
+  for (; IsDue(session.System().Time()); ++next_) {
     const Event& event = events_[next_];
     if (event.down) {
       PressKey(session, event.key);
     } else {
       ReleaseKey(session, event.key);
     }
+    played_until_ = std::max(played_until_, event.time);
   }
+}
+
+bool KeyScript::IsDue(double time) const {
+  constexpr double kRoundOff = 1e-9;  // [s], of the sum of the time steps
+  return next_ < events_.size() && events_[next_].time <= time + kRoundOff;
+}
+
+void KeyScript::Transfer(Archive& archive) {
+  archive(played_until_);
+  if (!archive.Reading()) return;
+  next_ = 0;
+  while (next_ < events_.size() && events_[next_].time <= played_until_) ++next_;
 }
 
 }  // namespace sph

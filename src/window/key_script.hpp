@@ -18,10 +18,15 @@ class KeyScript {
 
   /// Presses and releases what is due at the session's time. To be called before each step.
   void Play(Session& session);
+  /// The time of the last event played. Read into a script, even into another one, what it has until then counts as
+  /// played.
+  void Transfer(Archive& archive);
   /// Time of the last event; 0 without events [s].
   double End() const { return events_.empty() ? 0 : events_.back().time; }
 
  private:
+  bool IsDue(double time) const;
+
   struct Event {
     double time = 0;
     std::string key;
@@ -29,6 +34,7 @@ class KeyScript {
   };
   std::vector<Event> events_;  // by time
   std::size_t next_ = 0;
+  double played_until_ = -1;  // [s]; below 0 before the first event
 };
 
 }  // namespace sph

@@ -1,13 +1,27 @@
 #include "window/session.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "base/error.hpp"
+#include "base/hash.hpp"
 #include "scenes/build.hpp"
 #include "scenes/catalogue.hpp"
-#include "scenes/scene_file.hpp"
+#include "scenes/changes.hpp"
 
 namespace sph {
+namespace {
+
+std::uint64_t FingerprintOf(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  Hash hash;
+  hash.Add(std::as_bytes(std::span(text)));
+  return hash.Value();
+}
+
+}  // namespace
 
 Session::Session(SceneRequest request) : request_(std::move(request)) { Load(request_); }
 
@@ -15,53 +29,77 @@ void Session::Load(const SceneRequest& request) {
   Scene loaded = LoadScene(request);
   system_ = MakeSystem(loaded);
   start_ = scene_ = std::move(loaded);
+  set_keys_.clear();
+  set_to_.clear();
+  fingerprint_ = FingerprintOf(FindScene(request.scene));
+  guard_.emplace(*system_, scene_.retries);
+}
+
+void Session::Step() {
+  const int retreats = guard_->Retreats();
+  guard_->Step();
+  if (guard_->Retreats() != retreats) message = guard_->LastRetreat();
 }
 
 bool Session::StepUnlessPaused() {
   if (paused && single_steps == 0) return false;
   if (paused) --single_steps;
-  system_->Step();
+  Step();
   return true;
 }
 
 void Session::Reset() {
   scene_ = start_;
+  set_keys_.clear();
+  set_to_.clear();
   system_->Reset();
+  guard_->Reset();
   paused = false;
   message = "reset";
 }
 
+void Session::GoBack() {
+  guard_->GoBack();
+  paused = true;
+  message = fmt::format("back to t = {:.6g} s; p goes on", system_->Time());
+}
+
 void Session::DropBlock() {
   message = system_->DropBlock();
-  if (message.empty()) message = fmt::format("{} particles dropped", system_->parameters.drop.particles);
+  if (!message.empty()) return;
+  guard_->Mark();
+  message = fmt::format("{} particles dropped", system_->parameters.drop.particles);
 }
 
 void Session::PressSceneKey(const std::string& key) {
   const auto& controls = scene_.controls;
-  const auto control =
+  const auto found =
       std::find_if(controls.begin(), controls.end(), [&](const SceneControl& c) { return c.press == key; });
-  if (control == controls.end()) {
+  if (found == controls.end()) {
     message = fmt::format("{} does nothing in the scene {}", key, scene_.name);
     return;
   }
-  for (const auto& action : control->actions) {
+  message = found->what;
+  const std::vector actions(found->actions.begin(), found->actions.end());  // setting a key replaces the scene
+  for (const auto& action : actions) {
     if (const auto* move = std::get_if<MoveWallAction>(&action)) {
-      Wall* wall = FindWall(system_->parameters.walls, move->wall);
-      wall->at = move->to;
-      wall->velocity = 0;
-      wall->lowest = std::min(wall->lowest, wall->at);
-      wall->highest = std::max(wall->highest, wall->at);
-    } else {
-      const auto& set = std::get<SetAction>(action);
-      SetWhileRunning(scene_, set.key, set.to);
-      // Walls may have moved since the scene was read; everything else is as the scene says.
-      Parameters changed = CompleteParameters(scene_);
-      changed.walls = system_->parameters.walls;
-      system_->parameters = changed;
-      system_->parameters_sph = scene_.sph;
+      MoveWallTo(*system_, move->wall, move->to);
+      continue;
+    }
+    const auto& set = std::get<SetAction>(action);
+    try {
+      SetKey(set.key, set.to);
+    } catch (const UsageError& error) {
+      message = error.what();  // the fluid as it is now does not bear it
     }
   }
-  message = control->what;
+  guard_->Mark();
+}
+
+void Session::SetKey(const std::string& key, double to) {
+  SetWhileRunning(scene_, *system_, key, to);
+  set_keys_.push_back(key);
+  set_to_.push_back(to);
 }
 
 void Session::MoveWall(int direction) {
@@ -71,6 +109,7 @@ void Session::MoveWall(int direction) {
     return;
   }
   wall->velocity = direction * scene_.arrow_speed;
+  guard_->Mark();
 }
 
 void Session::GoToNextScene(int offset) {
@@ -110,6 +149,28 @@ void Session::NextColouring() {
 void Session::ChangeSpeed(double factor) {
   speed = std::clamp(speed * factor, 1.0 / 64, 64.0);
   message = fmt::format("speed: {:g} simulated seconds per second", speed);
+}
+
+void Session::Transfer(Archive& archive) {
+  SceneRequest now = request_;
+  TransferRequest(archive, now);
+  std::uint64_t fingerprint = fingerprint_;
+  std::vector<std::string> keys = set_keys_;
+  std::vector<double> values = set_to_;
+  archive(fingerprint, keys, values);
+  if (archive.Reading()) {
+    now.threads = request_.threads;
+    if (now.scene != request_.scene) Load(now);  // a key had led to another scene
+    request_ = now;
+    if (fingerprint != fingerprint_) {
+      throw TroubleError("the file of the scene '{}' is not the one that the state was saved with", request_.scene);
+    }
+    Archive::Require(keys.size() == values.size());
+    for (std::size_t k = 0; k < keys.size(); ++k) SetKey(keys[k], values[k]);
+  }
+  archive(paused, single_steps, speed, colouring);
+  system_->Transfer(archive);
+  guard_->Transfer(archive);
 }
 
 std::string NameOf(Colouring colouring) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "particles/canvas.hpp"
+#include "particles/guard.hpp"
 #include "scenes/request.hpp"
 
 namespace sph {
@@ -18,16 +20,25 @@ class Session {
   ParticleSystemSPH& System() { return *system_; }
   const ParticleSystemSPH& System() const { return *system_; }
   const Scene& CurrentScene() const { return scene_; }
+  const Guard& CurrentGuard() const { return *guard_; }
 
-  /// Advances by one step, unless the system is in trouble.
-  void Step() { system_->Step(); }
+  /// All that the session's course depends on; read, it must be of the same scene files. TroubleError otherwise.
+  void Transfer(Archive& archive);
+
+  /// Advances by one step, unless the system is in trouble. Where the step breaks down, the guard goes back as often as
+  /// the scene allows, and `message` says so.
+  void Step();
   /// The same as far as the pause key allows it: a step, a single step asked for, or none.
   /// @return whether a step was made.
   bool StepUnlessPaused();
+  /// Density, pressure and accelerations of the state as it is, see Guard::ComputeFields.
+  void ComputeFields() { guard_->ComputeFields(); }
 
   // What the controls do. Each that cannot do its work leaves the reason in `message`.
   void Reset();
   void DropBlock();
+  /// To the last good state, but not beyond the last key that changed something; waits there.
+  void GoBack();
   /// The scene's own meaning of a key, such as d in the dam break.
   void PressSceneKey(const std::string& key);
   /// Moves the scene's arrow wall to the left (-1) or right (+1) from now on; 0 stops it.
@@ -50,11 +61,16 @@ class Session {
 
  private:
   void Load(const SceneRequest& request);
+  void SetKey(const std::string& key, double to);
 
   SceneRequest request_;
-  Scene start_;  // as loaded
-  Scene scene_;  // with what keys have set since
+  Scene start_;                        // as loaded
+  Scene scene_;                        // with what keys have set since
+  std::vector<std::string> set_keys_;  // by keys since then, in their order
+  std::vector<double> set_to_;
+  std::uint64_t fingerprint_ = 0;  // of the scene's file
   std::unique_ptr<ParticleSystemSPH> system_;
+  std::optional<Guard> guard_;
 };
 
 /// "black disks", "speed", "pressure", "density".

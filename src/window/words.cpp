@@ -32,7 +32,8 @@ std::string StatusLine(const Session& session, const Rates& rates) {
 
 std::string StandingMessage(const Session& session) {
   const auto& trouble = session.System().Trouble();
-  return trouble ? "unstable: " + trouble->Message() + "\nr resets the scene" : std::string();
+  return trouble ? "unstable: " + trouble->Message() + "\nb goes back to the last good state, r resets the scene"
+                 : std::string();
 }
 
 std::vector<HelpRow> HelpRows(const Session& session) {

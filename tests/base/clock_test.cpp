@@ -1,7 +1,9 @@
-// Times of phases: sums by name, whoever adds them.
+// Times of phases: sums by name, whoever adds them; processor time does not go on while one waits.
 #include "base/clock.hpp"
 
 #include <gtest/gtest.h>
+
+#include <thread>
 
 namespace sph {
 namespace {
@@ -43,6 +45,16 @@ TEST(Stopwatch, StartsAnewWithRestart) {
   const double since_second = second.Seconds();
   EXPECT_LE(since_restart, since_second);  // restarted after the second one began
   EXPECT_GE(before, 1e-3);
+}
+
+TEST(ProcessorStopwatch, CountsWorkAndNotWaiting) {
+  const Stopwatch wall;
+  const ProcessorStopwatch processor;
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_LT(processor.Seconds(), 0.05);
+  while (processor.Seconds() < 0.02) {
+  }
+  EXPECT_GE(wall.Seconds(), 0.1 + 0.01) << "working takes wall time, too";
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ std::vector<std::string> With(std::vector<std::string> options, const std::vecto
 }
 
 TEST(Help, NamesEveryCommand) {
-  ExpectHelp({}, With(kSceneOptions, {"render", "run", "scenes", "info", "figures", "bench"}));
+  ExpectHelp({}, With(kSceneOptions, {"render", "run", "scenes", "info", "figures", "bench", "stress"}));
 }
 
 TEST(Help, NamesEveryOptionOfACommand) {
@@ -35,7 +35,8 @@ TEST(Help, NamesEveryOptionOfACommand) {
   ExpectHelp({"scenes"}, {"--json"});
   ExpectHelp({"info"}, With(kSceneOptions, {"--json"}));
   ExpectHelp({"figures"}, {"--out"});
-  ExpectHelp({"bench"}, {"CASE", "--out", "--quick"});
+  ExpectHelp({"bench"}, {"CASE", "--out", "--quick", "--peers", "--longest", "--threads"});
+  ExpectHelp({"stress"}, {"TEST", "--out", "--quick", "--count", "--seed", "--threads", "--json"});
 }
 
 }  // namespace

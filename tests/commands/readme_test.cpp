@@ -116,7 +116,7 @@ TEST(Readme, NamesEveryFieldOfTheReport) {
 
 TEST(Readme, NamesEveryCommandAndOption) {
   const std::string text = Readme();
-  for (const char* command : {"", "render", "run", "scenes", "info", "figures", "verify", "bench"}) {
+  for (const char* command : {"", "render", "run", "scenes", "info", "figures", "verify", "bench", "stress"}) {
     EXPECT_NE(text.find(fmt::format("\n    sphlab {}", command)), std::string::npos) << command;
     const std::string help =
         RunProgram(*command == '\0' ? Program::Arguments{"--help"} : Program::Arguments{command, "--help"}).out;

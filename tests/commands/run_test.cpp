@@ -191,7 +191,8 @@ TEST(Run, FollowsItsSeed) {
 }
 
 TEST(Run, OfAnUnstableSceneSaysStepParticleAndNumbersAndExitsWithThree) {
-  const Outcome outcome = RunProgram({"run", "dam-break", "--set", "method.time_step=0.05", "--json"});
+  const Outcome outcome =
+      RunProgram({"run", "dam-break", "--set", "method.time_step=0.05", "--set", "method.retries=0", "--json"});
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(json::parse(outcome.out)["status"], "unstable");
   const std::regex message(
@@ -204,7 +205,8 @@ TEST(Run, OfAnUnstableSceneSaysStepParticleAndNumbersAndExitsWithThree) {
 TEST(Run, OfAnUnstableSceneLeavesItsRows) {
   const ScratchDirectory scratch;
   const std::filesystem::path file = scratch.Path() / "run.csv";
-  EXPECT_EQ(RunProgram({"run", "--set", "method.time_step=0.05", "--csv", file}).exit_code, 3);
+  EXPECT_EQ(RunProgram({"run", "--set", "method.time_step=0.05", "--set", "method.retries=0", "--csv", file}).exit_code,
+            3);
   EXPECT_TRUE(Contents(file).starts_with("time [s],"));
   EXPECT_TRUE(Contents(file).ends_with("\n"));
 }

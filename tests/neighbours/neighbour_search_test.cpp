@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -181,11 +182,20 @@ TEST(Positions, DifferencesAreExactToFloatFarFromTheOrigin) {
   EXPECT_NEAR((positions.X()[1] - positions.X()[0]) * unit, x[1] - x[0], unit);
 }
 
-TEST(ClusterOrder, RefusesPositionsThatAreNotFinite) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
-  ClusterOrder order;
-  const std::vector<double> x = {0, INFINITY}, y = {0, 0};
-  EXPECT_DEATH(order.Sort(x, y, kSpacing, kSupport, 8), "positions from");
+TEST(ClusterOrder, LeavesNobodyOutWhoIsNowhere) {
+  const double nan = std::nan("");
+  for (const double nowhere : {nan, -nan, static_cast<double>(INFINITY), -static_cast<double>(INFINITY), 1e308}) {
+    ClusterOrder order;
+    std::vector<double> x = {0, 5, 1e9, nowhere, 1, nowhere}, y = {0, nowhere, 0, 0, -1e300, nowhere};
+    order.Sort(x, y, kSpacing, kSupport, 8);
+    std::vector<std::uint32_t> all(order.Order().begin(), order.Order().end());
+    std::ranges::sort(all);
+    EXPECT_EQ(all, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5})) << nowhere;
+    order.Cut(x, y, kSupport, 8);
+    std::size_t count = 0;
+    for (const Cluster& cluster : order.Clusters()) count += cluster.count;
+    EXPECT_EQ(count, 6u) << nowhere;
+  }
 }
 
 }  // namespace

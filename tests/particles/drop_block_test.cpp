@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "particles/diagnostics.hpp"
 #include "particles/particle_system.hpp"
 
 namespace sph {
@@ -127,6 +128,32 @@ TEST(DropBlock, DoesNothingToASystemInTrouble) {
   ASSERT_TRUE(system.Trouble());
   EXPECT_NE(system.DropBlock(), "");
   EXPECT_EQ(system.State().Size(), 200u);
+}
+
+TEST(DropBlock, ThatWouldBreakEverythingDownIsNotDropped) {
+  Parameters tank = Tank();
+  tank.drop.velocity = {0, -1e200};
+  ParticleSystem system(tank), alone(tank);
+  system.Reset();
+  alone.Reset();
+  const std::string message = system.DropBlock();
+  EXPECT_NE(message.find("velocity"), std::string::npos) << message;
+  EXPECT_EQ(system.State().Size(), 200u);
+  EXPECT_FALSE(system.Trouble());
+  for (int k = 0; k < 20; ++k) {
+    system.Step();
+    alone.Step();
+  }
+  EXPECT_EQ(Diagnose(system).state_hash, Diagnose(alone).state_hash);
+}
+
+TEST(DropBlock, OfALatticeThatIsTooFineIsGivenUp) {
+  Parameters tank = Tank();
+  tank.drop.spacing = 1e-12;
+  ParticleSystem system(tank);
+  system.Reset();
+  system.DropBlock();
+  EXPECT_LE(system.State().Size(), 200u + tank.drop.particles) << "and does not take for ever";
 }
 
 }  // namespace

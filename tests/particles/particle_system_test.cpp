@@ -166,5 +166,48 @@ TEST(ParticleSystem, RefusesAStepOrAMassThatIsNotPositive) {
   EXPECT_DEATH(ParticleSystem{base}, "m = -1");
 }
 
+TEST(ParticleSystem, StartsWithTheParticlesThatItIsGiven) {
+  auto start = std::make_shared<GivenStart>();
+  start->particles.Add({1, 2}, {3, 4}, 0.5);
+  start->particles.Add({5, 6}, {0, 0}, 0.25);
+  Parameters base = Base();
+  base.walls.clear();
+  base.given = start;
+  ParticleSystem system(base);
+  for (int round = 0; round < 2; ++round) {
+    system.Reset();
+    ASSERT_EQ(system.State().Size(), 2u);
+    EXPECT_EQ(system.State().Position(0), (Vec2{1, 2}));
+    EXPECT_EQ(system.State().Velocity(0), (Vec2{3, 4}));
+    EXPECT_EQ(system.State().mass[1], 0.25);
+    system.Step();
+    EXPECT_FALSE(system.Trouble());
+  }
+}
+
+TEST(ParticleSystem, CannotStartWithWhatIsNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), far = std::numeric_limits<double>::infinity();
+  struct Broken {
+    Vec2 position, velocity;
+    double mass;
+    const char* says;
+  };
+  for (const Broken& broken : {Broken{{nan, 0}, {}, 1, "position"}, Broken{{0, -far}, {}, 1, "position"},
+                               Broken{{0, 1e200}, {}, 1, "position"}, Broken{{}, {0, nan}, 1, "velocity"},
+                               Broken{{}, {1e200, 0}, 1, "velocity"}, Broken{{}, {}, nan, "mass"}}) {
+    auto start = std::make_shared<GivenStart>();
+    start->particles.Add({}, {}, 1);
+    start->particles.Add(broken.position, broken.velocity, broken.mass);
+    Parameters base = Base();
+    base.given = start;
+    ParticleSystem system(base);
+    system.Reset();
+    ASSERT_TRUE(system.Trouble()) << broken.says;
+    EXPECT_EQ(system.Trouble()->id, 1u);
+    EXPECT_EQ(system.Trouble()->step, 0);
+    EXPECT_NE(system.Trouble()->limit.find(broken.says), std::string::npos) << system.Trouble()->limit;
+  }
+}
+
 }  // namespace
 }  // namespace sph

@@ -96,5 +96,18 @@ TEST(VisibleSegment, OfAWallBehindAnotherIsEmpty) {
 
 TEST(VisibleSegment, OutsideTheViewIsEmpty) { EXPECT_FALSE(VisibleSegment(Tank()[2], Tank(), {5, -10, 10, 10})); }
 
+TEST(PenetrationAfter, IsANumberHoweverStrongTheDamping) {
+  // What is left of d'' = -c d' without a spring: d = v/c (1 - e^-ct).
+  for (const double damping : {1.0, 1e3, 1e6, 1e12}) {
+    WallParameters wall;
+    wall.damping = damping;
+    for (const double seconds : {1e-6, 1e-3, 1.0}) {
+      const Penetration now = PenetrationAfter(wall, 2, seconds);
+      EXPECT_NEAR(now.depth, -2 / damping * std::expm1(-damping * seconds), 1e-12) << damping << ", " << seconds;
+      EXPECT_NEAR(now.speed, 2 * std::exp(-damping * seconds), 1e-9) << damping << ", " << seconds;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sph

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "base/error.hpp"
 #include "scenes/request.hpp"
 #include "scenes/scene_text.hpp"
 
@@ -133,6 +134,22 @@ TEST(InitialView, ShowsFluidAndWallsWhereverTheyGo) {
   EXPECT_LT(view.x0, 0);
   EXPECT_GT(view.x1, 1);
   EXPECT_GT(view.y1, 1);
+}
+
+TEST(MakeSystem, RefusesASceneThatCannotStart) {
+  SceneRequest request;
+  request.scene = "still-water";
+  request.particles = 200;
+  request.settings = {"forces.gravity=[0.0, 1e9]"};  // the hydrostatic pressure is far below zero
+  try {
+    MakeSystem(LoadScene(request));
+    FAIL() << "accepted";
+  } catch (const UsageError& error) {
+    const std::string message = error.what();
+    for (const char* part : {"still-water", "cannot start", "particle 0", "its mass is not a number above 0"}) {
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+    }
+  }
 }
 
 }  // namespace

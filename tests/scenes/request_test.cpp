@@ -50,5 +50,17 @@ TEST(LoadScene, RefusesAnUnknownSolverWithTheNearest) {
   }
 }
 
+TEST(LoadScene, RefusesSoFewParticlesThatThePeriodIsTooShort) {
+  SceneRequest request;
+  request.scene = "taylor-green";
+  request.particles = 100;
+  try {
+    LoadScene(request);
+    FAIL() << "accepted";
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("--particles 100: periodic.box"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace sph

@@ -44,9 +44,9 @@ TEST(SceneChecks, RefuseAPeriodOfAFewSmoothingLengthsInADirectionThatRepeats) {
   const auto with = [](const std::string& box, const std::string& directions) {
     return Refusal(kScene, {"periodic.box=" + box, "periodic.directions=" + directions});
   };
-  EXPECT_TRUE(Has(with("[0,0,1.5,2]", "x"), {"FILE", "periodic.box = [0, 0, 1.5, 2]", "too small", "1.6"}));
-  EXPECT_TRUE(Has(with("[0,0,1.5,2]", "both"), {"too small"}));
-  EXPECT_EQ(with("[0,0,1.5,2]", "y"), "accepted");
+  EXPECT_TRUE(Has(with("[0,0,1,2]", "x"), {"FILE", "periodic.box = [0, 0, 1, 2]", "too small", "1.06"}));
+  EXPECT_TRUE(Has(with("[0,0,1,2]", "both"), {"too small"}));
+  EXPECT_EQ(with("[0,0,1,2]", "y"), "accepted");
 }
 
 TEST(SceneChecks, RefuseFlowsKernelsAndStartsThatAreNone) {
@@ -55,6 +55,31 @@ TEST(SceneChecks, RefuseFlowsKernelsAndStartsThatAreNone) {
   EXPECT_TRUE(Has(Refusal(kScene, {"method.kernel=wendland"}), {"method.kernel", "wendland-c2", "wendland-c4"}));
   EXPECT_TRUE(Has(Refusal(kScene, {"fluid.flow_speed=0"}), {"fluid.flow_speed", "> 0"}));
   EXPECT_TRUE(Has(Refusal(kScene, {"method.diffusion=2"}), {"method.diffusion"}));
+}
+
+TEST(SceneChecks, RefuseHalfASettlingAndOneThatNeverEnds) {
+  EXPECT_TRUE(Has(Refusal(kScene, {"fluid.settle.time=1"}), {"FILE", "fluid.settle takes both time and damping"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"fluid.settle={time=1e9,damping=1}"}), {"FILE", "more than a million steps"}));
+}
+
+TEST(SceneChecks, RefuseASlidingWallToWhichNothingSticks) {
+  const std::vector<std::string> mirrors = {"solver=delta", "walls.kind=mirror", "wall.floor.slide=2"};
+  EXPECT_TRUE(Has(Refusal(kScene, {"wall.floor.slide=2"}), {"FILE", "'floor'", "slide = 2", "walls.kind = 'mirror'"}));
+  EXPECT_TRUE(Has(Refusal(kScene, mirrors), {"walls.slip = 'none'"}));
+  EXPECT_EQ(Refusal(kScene, {mirrors[0], mirrors[1], "walls.slip=none", mirrors[2]}), "accepted");
+}
+
+TEST(SceneChecks, RefuseABoundaryLayerWhereNothingSlipsAlongAMirror) {
+  const std::string layer = "walls.layer_viscosity=1e-6";
+  EXPECT_TRUE(Has(Refusal(kScene, {layer}), {"FILE", "walls.kind = 'mirror'"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"solver=delta", "walls.kind=mirror", "walls.slip=none", layer}), {"'free'"}));
+  EXPECT_EQ(SceneFrom(kScene, {"solver=delta", "walls.kind=mirror", layer}).base.wall.layer_viscosity, 1e-6);
+}
+
+TEST(SceneChecks, RefuseFormsAndAmountsThatAreNone) {
+  EXPECT_TRUE(Has(Refusal(kScene, {"method.viscous_form=stres"}), {"method.viscous_form", "laplacian", "stress"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"method.sound_damping=2"}), {"method.sound_damping"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"walls.layer_viscosity=-1"}), {"walls.layer_viscosity", ">= 0"}));
 }
 
 TEST(SceneChecks, RefuseControlsOfWhatIsNotThere) {
@@ -74,6 +99,14 @@ TEST(SceneChecks, RefuseAKeyThatWouldLeaveHalfAnEquationOfState) {
   const std::string text =
       kScene + "[[key]]\npress = \"d\"\ndo = [ { set = \"equation_of_state.ideal_gas.k\", to = 2 } ]\n";
   EXPECT_TRUE(Has(Refusal(text), {"key 'd'", "ideal_gas = { k, rho0 }"}));
+}
+
+TEST(SceneChecks, RefuseALatticeThatIsTooFineToBeTriedSiteBySite) {
+  const std::string disk = "region = { disk = { centre = [0.5, 0.5], radius = 0.4 } }";
+  const std::string scene = Changed("region = { box = [0.0, 0.0, 1.0, 1.0] }", disk);
+  EXPECT_TRUE(Has(Refusal(scene, {"fluid.arrange=lattice", "fluid.spacing=1e-9"}), {"fluid.spacing = 1e-09", "sites"}));
+  EXPECT_EQ(Refusal(scene, {"fluid.arrange=lattice", "fluid.spacing=0.01"}), "accepted");
+  EXPECT_TRUE(Has(Refusal(kScene, {"fluid.arrange=hexagonal", "fluid.spacing=1e-9"}), {"fluid.spacing", "sites"}));
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 namespace sph {
 namespace {
 
-constexpr WendlandKernel kBoth[] = {WendlandKernel::kC2, WendlandKernel::kC4};
 constexpr double kDx = kCloudH / 2;  // [m]
 
 /// columns x rows on a square lattice of unit density, moved by up to `jitter` spacings.
@@ -38,7 +37,7 @@ double GreatestSize(const std::vector<PlainSum>& sums) {
 }
 
 TEST(DeltaOperators, GradientOfALinearDensityIsExactOnIrregularParticlesUpToTheRim) {
-  for (const WendlandKernel kernel : kBoth) {
+  for (const SmoothingKernel kernel : kAllKernels) {
     WaterSetting<double> s(Lattice(20, 20, 0.3));
     s.water.kernel = kernel;
     const Vec2 slope{0.3, -0.2};
@@ -75,7 +74,7 @@ TEST(DeltaOperators, DiffusionLeavesAloneWhatIsLinearOrQuadratic) {
 }
 
 TEST(DeltaOperators, DiffusionFillsAMinimumAndWearsDownAMaximum) {
-  for (const WendlandKernel kernel : kBoth) {
+  for (const SmoothingKernel kernel : kAllKernels) {
     for (const double dent : {-0.1, 0.1}) {
       WaterSetting<double> s(Lattice(15, 15, 0));
       s.water.kernel = kernel;
@@ -126,7 +125,7 @@ TEST(DeltaOperators, RigidMotionCompressesNothing) {
         s.cloud.vy[i] = -1 + spin * s.cloud.x[i];
       }
       s.ComputeRates();
-      const double size = GreatestSize(PlainWendlandDensity(s.water.kernel, s.cloud, kCloudH));
+      const double size = GreatestSize(PlainGasDensity(s.water.kernel, s.cloud, kCloudH));
       for (std::size_t i = 0; i < s.cloud.Size(); ++i) {
         // (w x r).r is 0 pair by pair; velocities of size 10 are rounded, and r W' is at most a few W(0).
         ASSERT_NEAR(s.rate[i], 0, spin == 0 ? 0 : 1e-12 * size / kCloudH) << cloud.name;
@@ -253,7 +252,7 @@ TEST(DeltaOperators, ShiftsLeadFromTheCrowdToTheGap) {
 enum class Operator { kLaplacian, kGradient, kSharpGradient };
 
 /// RMS error, relative to the exact values' RMS, on a lattice of unit density with `per_wave` particles a wave length.
-double ErrorOnAWave(Operator tested, WendlandKernel kernel, int per_wave) {
+double ErrorOnAWave(Operator tested, SmoothingKernel kernel, int per_wave) {
   // So many particles in the support that the lattice's own error, 6e-4 for the 2.8 spacings of scenes, is below all.
   constexpr double kHPerDx = 5.6;
   constexpr int kRim = 12;  // spacings: the support is 11.2 of them
@@ -281,7 +280,7 @@ double ErrorOnAWave(Operator tested, WendlandKernel kernel, int per_wave) {
 }
 
 /// d log(error)/d log(dx) over three resolutions, the least of the two.
-double Order(Operator tested, WendlandKernel kernel) {
+double Order(Operator tested, SmoothingKernel kernel) {
   const double coarse = ErrorOnAWave(tested, kernel, 20);
   const double middle = ErrorOnAWave(tested, kernel, 28);
   const double fine = ErrorOnAWave(tested, kernel, 40);
@@ -290,18 +289,18 @@ double Order(Operator tested, WendlandKernel kernel) {
 }
 
 TEST(DeltaOperators, SharpWeightsAreOfFourthOrderOnALattice) {
-  for (const WendlandKernel kernel : kBoth) {
+  for (const SmoothingKernel kernel : kAllKernels) {
     EXPECT_GT(Order(Operator::kLaplacian, kernel), 3.5);
     EXPECT_GT(Order(Operator::kSharpGradient, kernel), 3.5);
   }
 }
 
 TEST(DeltaOperators, PlainGradientIsOfSecondOrderOnALatticeAndWorse) {
-  const double order = Order(Operator::kGradient, WendlandKernel::kC4);
+  const double order = Order(Operator::kGradient, SmoothingKernel::kWendlandC4);
   EXPECT_GT(order, 1.7);
   EXPECT_LT(order, 2.2);
-  EXPECT_GT(ErrorOnAWave(Operator::kGradient, WendlandKernel::kC4, 40),
-            10 * ErrorOnAWave(Operator::kSharpGradient, WendlandKernel::kC4, 40));
+  EXPECT_GT(ErrorOnAWave(Operator::kGradient, SmoothingKernel::kWendlandC4, 40),
+            10 * ErrorOnAWave(Operator::kSharpGradient, SmoothingKernel::kWendlandC4, 40));
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "base/random.hpp"
-#include "sph/kernels.hpp"
 #include "sph/water_setting.hpp"
 
 namespace sph {
@@ -15,7 +14,7 @@ namespace {
 
 /// All terms, with values that have nothing to do with the positions.
 template <typename Real>
-void MakeRandom(WaterSetting<Real>& s, WendlandKernel kernel) {
+void MakeRandom(WaterSetting<Real>& s, SmoothingKernel kernel) {
   Random random(13);
   s.water.kernel = kernel;
   s.water.rho0 = 2;
@@ -43,8 +42,7 @@ double BlurOfDirections(const WaterSetting<Real>& s, std::size_t i) {
   if (sizeof(Real) == 8 || s.water.artificial == 0) return 0;
   const double unit = Positions<Real>::Unit(2 * kCloudH);
   const double h = s.water.h;
-  const double steepest =
-      s.water.kernel == WendlandKernel::kC2 ? -WendlandC2(h).Gradient(0) : -WendlandC4(h).Gradient(0);
+  const double steepest = -GradientAt(s.water.kernel, h, 0);
   double sum = 0;
   for (std::size_t j = 0; j < s.cloud.Size(); ++j) {
     const double r = std::hypot(s.cloud.x[i] - s.cloud.x[j], s.cloud.y[i] - s.cloud.y[j]);
@@ -65,7 +63,7 @@ TYPED_TEST_SUITE(DeltaPasses, BothPrecisions);
 TYPED_TEST(DeltaPasses, RatesOfDensityEqualTheSumOverAllPairs) {
   WithEveryInstructionSet([] {
     for (const Cloud& cloud : AllClouds()) {
-      for (const WendlandKernel kernel : {WendlandKernel::kC2, WendlandKernel::kC4}) {
+      for (const SmoothingKernel kernel : kAllKernels) {
         WaterSetting<TypeParam> s(cloud);
         MakeRandom(s, kernel);
         s.ComputeRates();
@@ -86,9 +84,9 @@ struct Terms {
 TYPED_TEST(DeltaPasses, ForcesEqualTheSumOverAllPairs) {
   WithEveryInstructionSet([] {
     for (const Cloud& cloud : AllClouds()) {
-      for (const WendlandKernel kernel : {WendlandKernel::kC2, WendlandKernel::kC4}) {
-        for (const Terms terms : {Terms{0, 0, false, true}, Terms{0.4, 0, true, false}, Terms{0, 0.3, true, true},
-                                  Terms{0.4, 0.3, false, false}}) {
+      for (const SmoothingKernel kernel : kAllKernels) {
+        for (const Terms terms : {Terms{0, 0, false, true}, Terms{0, 0.3, false, true}, Terms{0.4, 0, true, false},
+                                  Terms{0, 0, true, true}, Terms{0.4, 0.3, false, false}}) {
           WaterSetting<TypeParam> s(cloud);
           MakeRandom(s, kernel);
           s.water.viscosity = terms.viscosity;
@@ -129,7 +127,7 @@ Sides SidesOf(const PlainSurroundings& of, double tolerance) {
 }
 
 template <typename Real>
-void ExpectSurroundingsOfTheTwin(const Cloud& cloud, WendlandKernel kernel, int& known, int& at_surface) {
+void ExpectSurroundingsOfTheTwin(const Cloud& cloud, SmoothingKernel kernel, int& known, int& at_surface) {
   WaterSetting<Real> s(cloud);
   MakeRandom(s, kernel);
   // Wholeness that falls to the right, so that some particles are near a surface.
@@ -166,7 +164,7 @@ TYPED_TEST(DeltaPasses, GradientsWholenessAndShiftsEqualThoseOfAllPairs) {
   WithEveryInstructionSet([] {
     int known = 0, at_surface = 0;
     for (const Cloud& cloud : AllClouds()) {
-      for (const WendlandKernel kernel : {WendlandKernel::kC2, WendlandKernel::kC4}) {
+      for (const SmoothingKernel kernel : kAllKernels) {
         ExpectSurroundingsOfTheTwin<TypeParam>(cloud, kernel, known, at_surface);
       }
     }

@@ -68,7 +68,7 @@ double Distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
 }
 
 TEST(Delta, WaterThatDriftsThroughThePeriodicBoxStaysWhatItIs) {
-  for (const WendlandKernel kernel : {WendlandKernel::kC2, WendlandKernel::kC4}) {
+  for (const SmoothingKernel kernel : {SmoothingKernel::kWendlandC2, SmoothingKernel::kWendlandC4}) {
     Water water;
     water.base.fluid.velocity = {1.3, -0.7};
     water.sph.delta = DeltaParameters{.kernel = kernel};  // with all that it has
@@ -199,6 +199,21 @@ TEST(Delta, LookingAtTheFieldsChangesNothing) {
     seen->ComputeFields();
   }
   EXPECT_EQ(Diagnose(*seen).state_hash, Diagnose(*unseen).state_hash);
+}
+
+TEST(Delta, SaysWhenTheDensityIsNoLiquidsAnyMore) {
+  Water water;
+  water.sph.equation_of_state = IdealGas{0.1, 1};  // hardly any pressure against the vortices
+  water.sph.flow = Flow("taylor-green");
+  water.sph.flow_speed = 0.3;
+  const auto system = water.Make();
+  for (int k = 0; k < 5000 && !system->Trouble(); ++k) system->Step();
+  ASSERT_TRUE(system->Trouble());
+  EXPECT_NE(system->Trouble()->limit.find("times that of the liquid at rest"), std::string::npos)
+      << system->Trouble()->Message();
+  system->Reset();
+  system->Step();
+  EXPECT_FALSE(system->Trouble());
 }
 
 }  // namespace

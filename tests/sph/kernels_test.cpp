@@ -98,6 +98,47 @@ TYPED_TEST(CubicSplineInEveryDimension, ValueAndGradientAreContinuousAtTheKnots)
   }
 }
 
+TEST(QuinticSpline, IntegratesToOneOverThePlane) {
+  const QuinticSpline kernel(kH);  // polynomials of degree 6 between knots: the rule is exact on each
+  EXPECT_NEAR(sph::Integral([&](double r) { return 2 * pi * r * kernel.Value(r); }, 0, 3 * kH, 3), 1, 1e-13);
+}
+
+TEST(QuinticSpline, GradientIsTheValuesDerivativeOverR) {
+  const QuinticSpline kernel(kH);
+  const double scale = kernel.Value(0) / kH;
+  for (const double r : Distances(3 * kH)) EXPECT_NEAR(kernel.Gradient(r) * r, Slope(kernel, r), 1e-9 * scale) << r;
+  const double delta = 1e-3 * kH;
+  EXPECT_NEAR(kernel.Gradient(0), 2 * (kernel.Value(delta) - kernel.Value(0)) / (delta * delta), 1e-5 * scale / kH);
+}
+
+TEST(QuinticSpline, IsTheCubicSplinesNextOfKin) {
+  // Both are B-splines made isotropic: fourth differences of x^3 and sixth ones of x^5, here for the quintic.
+  const QuinticSpline kernel(kH);
+  const double binomials[] = {1, 6, 15, 20, 15, 6, 1};
+  for (const double q : {0.1, 0.8, 1.3, 2.6}) {
+    const auto spline = [&](double x) {
+      double sum = 0;
+      for (int k = 0; k <= 6; ++k) {
+        sum += (k % 2 == 0 ? 1 : -1) * binomials[k] * std::pow(std::max(0.0, x + 3 - k), 5);
+      }
+      return sum;
+    };
+    EXPECT_NEAR(kernel.Value(q * kH) / kernel.Value(0), spline(q) / spline(0), 1e-13) << q;
+  }
+}
+
+TEST(QuinticSpline, FallsAllTheWayAndEndsAtThreeH) {
+  const QuinticSpline kernel(kH);
+  for (int k = 0; k < 300; ++k) {
+    EXPECT_GT(kernel.Value(0.01 * k * kH), kernel.Value(0.01 * (k + 1) * kH)) << k;
+    EXPECT_LT(kernel.Gradient(0.01 * k * kH), 0) << k;
+  }
+  for (const double r : {3 * kH, std::nextafter(3 * kH, 10), 1e100}) {
+    EXPECT_EQ(kernel.Value(r), 0) << r;
+    EXPECT_EQ(kernel.Gradient(r), 0) << r;
+  }
+}
+
 template <typename Kernel>
 class Wendland : public ::testing::Test {};
 using Wendlands = ::testing::Types<WendlandC2, WendlandC4>;
@@ -216,7 +257,8 @@ TEST(Kernels, RefuseASmoothingLengthThatIsNotPositive) {
   EXPECT_DEATH(Poly6(-1), "h = -1");
   EXPECT_DEATH(WendlandC2(0), "h = 0");
   EXPECT_DEATH(WendlandC4(-2), "h = -2");
-  EXPECT_DEATH(Spiky(std::numeric_limits<double>::quiet_NaN()), "h = nan");
+  EXPECT_DEATH(QuinticSpline(0), "h = 0");
+  EXPECT_DEATH(Spiky{std::nan("")}, "h = nan");
   EXPECT_DEATH(ViscosityKernel(0), "h = 0");
 }
 

@@ -99,6 +99,21 @@ TEST_P(PeriodicBoundaries, GiveTheDensityAndAccelerationsOfATiledPlane) {
   }
 }
 
+TEST_P(PeriodicBoundaries, HaveTheNeighboursOfATiledPlane) {
+  Parameters base = NoForces();
+  base.fluid.particles = 500;
+  const GivenSystem system(base, Gas(), InTheTile(500));
+  const Cloud tiled = Tiled(CloudOf(system), Gas().periods);
+  int pairs = 0;
+  for (std::size_t i = 0; i < 500; ++i) {
+    for (std::size_t j = 0; j < tiled.Size(); ++j) {
+      const double apart = std::hypot(tiled.x[i] - tiled.x[j], tiled.y[i] - tiled.y[j]);
+      pairs += j != i && apart < 2 * kCloudH ? 1 : 0;
+    }
+  }
+  EXPECT_NEAR(system.MeanNeighbours(), pairs / 500.0, 0.005) << "but for one pair just within or out of reach";
+}
+
 TEST_P(PeriodicBoundaries, KeepMomentum) {
   Parameters base = NoForces();
   base.fluid.particles = 500;

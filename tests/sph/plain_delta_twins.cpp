@@ -8,14 +8,6 @@
 namespace sph {
 namespace {
 
-double ValueAt(WendlandKernel kernel, double h, double r) {
-  return kernel == WendlandKernel::kC2 ? WendlandC2(h).Value(r) : WendlandC4(h).Value(r);
-}
-/// g with grad_i W = g (x_i - x_j)
-double GradientAt(WendlandKernel kernel, double h, double r) {
-  return kernel == WendlandKernel::kC2 ? WendlandC2(h).Gradient(r) : WendlandC4(h).Gradient(r);
-}
-
 /// Calls with(j, x_i - x_j, r) for every particle j nearer to i than 2h, i included.
 template <typename With>
 void ForNeighbours(const Cloud& cloud, std::size_t i, double h, With with) {
@@ -37,7 +29,17 @@ Vec2 VelocityDifference(const Cloud& cloud, std::size_t i, std::size_t j) {
 
 }  // namespace
 
-std::vector<PlainSum> PlainWendlandDensity(WendlandKernel kernel, const Cloud& cloud, double h) {
+double ValueAt(SmoothingKernel kernel, double h, double r) {
+  if (kernel == SmoothingKernel::kQuintic) return QuinticSpline(2 * h / 3).Value(r);
+  return kernel == SmoothingKernel::kWendlandC2 ? WendlandC2(h).Value(r) : WendlandC4(h).Value(r);
+}
+
+double GradientAt(SmoothingKernel kernel, double h, double r) {
+  if (kernel == SmoothingKernel::kQuintic) return QuinticSpline(2 * h / 3).Gradient(r);
+  return kernel == SmoothingKernel::kWendlandC2 ? WendlandC2(h).Gradient(r) : WendlandC4(h).Gradient(r);
+}
+
+std::vector<PlainSum> PlainGasDensity(SmoothingKernel kernel, const Cloud& cloud, double h) {
   std::vector<PlainSum> sums(cloud.Size());
   for (std::size_t i = 0; i < cloud.Size(); ++i) {
     ForNeighbours(cloud, i, h, [&](std::size_t j, Vec2, double r) {
@@ -47,8 +49,8 @@ std::vector<PlainSum> PlainWendlandDensity(WendlandKernel kernel, const Cloud& c
   return sums;
 }
 
-std::vector<PlainSum> PlainWendlandPressure(WendlandKernel kernel, const Cloud& cloud, std::span<const double> term,
-                                            double h) {
+std::vector<PlainSum> PlainGasPressure(SmoothingKernel kernel, const Cloud& cloud, std::span<const double> term,
+                                       double h) {
   std::vector<PlainSum> sums(cloud.Size());
   for (std::size_t i = 0; i < cloud.Size(); ++i) {
     ForNeighbours(cloud, i, h, [&](std::size_t j, Vec2 d, double r) {
@@ -58,9 +60,9 @@ std::vector<PlainSum> PlainWendlandPressure(WendlandKernel kernel, const Cloud& 
   return sums;
 }
 
-SharpWeights SharpWeightsOf(WendlandKernel kernel) {
+SharpWeights SharpWeightsOf(SmoothingKernel kernel) {
   const auto moment = [&](int power) {  // of -W'/r over the plane, with s = r/2h
-    return Integral([&](double s) { return -GradientAt(kernel, 0.5, s) * std::pow(s, power + 1); }, 0, 1, 40);
+    return Integral([&](double s) { return -GradientAt(kernel, 0.5, s) * std::pow(s, power + 1); }, 0, 1, 42);
   };
   // a m2 - b m4 = m2 and a m4 - b m6 = 0
   const double m2 = moment(2), m4 = moment(4), m6 = moment(6);

@@ -6,16 +6,23 @@
 
 namespace sph {
 
-/// rho_i = sum_j m_j W_ij with a Wendland kernel.
-std::vector<PlainSum> PlainWendlandDensity(WendlandKernel kernel, const Cloud& cloud, double h);
+/// The solver's kernels. Here and below, h is half the support radius, for the quintic spline, too.
+inline constexpr SmoothingKernel kAllKernels[] = {SmoothingKernel::kWendlandC2, SmoothingKernel::kWendlandC4,
+                                                  SmoothingKernel::kQuintic};
+double ValueAt(SmoothingKernel kernel, double h, double r);
+/// g with grad_i W = g (x_i - x_j)
+double GradientAt(SmoothingKernel kernel, double h, double r);
 
-/// -sum_j m_j (T_i + T_j) grad_i W_ij with a Wendland kernel and terms T = P/rho^2.
-std::vector<PlainSum> PlainWendlandPressure(WendlandKernel kernel, const Cloud& cloud, std::span<const double> term,
-                                            double h);
+/// rho_i = sum_j m_j W_ij.
+std::vector<PlainSum> PlainGasDensity(SmoothingKernel kernel, const Cloud& cloud, double h);
+
+/// -sum_j m_j (T_i + T_j) grad_i W_ij with terms T = P/rho^2.
+std::vector<PlainSum> PlainGasPressure(SmoothingKernel kernel, const Cloud& cloud, std::span<const double> term,
+                                       double h);
 
 /// What a liquid's passes read; see WaterInput.
 struct PlainWater {
-  WendlandKernel kernel = WendlandKernel::kC2;
+  SmoothingKernel kernel = SmoothingKernel::kWendlandC2;
   double h = kCloudH;
   double rho0 = 1;
   double diffusion = 0, viscosity = 0, artificial = 0;
@@ -30,7 +37,7 @@ struct PlainWater {
 struct SharpWeights {
   double flat = 1, fall = 0;
 };
-SharpWeights SharpWeightsOf(WendlandKernel kernel);
+SharpWeights SharpWeightsOf(SmoothingKernel kernel);
 
 /// drho_i/dt; value.x is the rate.
 std::vector<PlainSum> PlainDensityRates(const Cloud& cloud, const PlainWater& water);

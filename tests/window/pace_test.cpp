@@ -110,7 +110,7 @@ TEST(Pace, MakesTheSingleStepsAskedFor) {
 }
 
 TEST(Pace, StopsWhenTheSystemIsInTroubleAndStartsAfreshAfterAReset) {
-  Session session = SessionOf("dam-break");
+  Session session = SessionWithoutRetries();
   Pace pace(kPlenty);
   session.System().parameters.time_step = 1;  // far too long
   pace.Advance(session, 20);

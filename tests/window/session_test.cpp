@@ -66,7 +66,7 @@ TEST(Session, SaysWhyABlockIsNotDropped) {
 }
 
 TEST(Session, AResetEndsAPauseAndTrouble) {
-  Session session = SessionOf("dam-break");
+  Session session = SessionWithoutRetries();
   session.paused = true;
   session.System().parameters.time_step = 10;
   for (int i = 0; i < 10; ++i) session.Step();
@@ -74,6 +74,32 @@ TEST(Session, AResetEndsAPauseAndTrouble) {
   session.Reset();
   EXPECT_FALSE(session.System().Trouble());
   EXPECT_FALSE(session.paused);
+}
+
+TEST(Session, GoesBackFromTroubleAndWaits) {
+  Session session = SessionWithoutRetries();
+  for (int i = 0; i < 10; ++i) session.Step();
+  Type(session, "space");  // never undone
+  const std::size_t particles = session.System().State().Size();
+  session.System().parameters.time_step = 10;
+  for (int i = 0; i < 10; ++i) session.Step();
+  ASSERT_TRUE(session.System().Trouble());
+  Type(session, "b");
+  EXPECT_FALSE(session.System().Trouble());
+  EXPECT_EQ(session.System().Steps(), 10);
+  EXPECT_EQ(session.System().State().Size(), particles);
+  EXPECT_TRUE(session.paused);
+  Type(session, "p");
+  EXPECT_TRUE(session.StepUnlessPaused());
+  EXPECT_FALSE(session.System().Trouble()) << "the step is that of the good state, too";
+}
+
+TEST(Session, SaysWhenItHasGoneBackWithHalfTheStep) {
+  Session session = SessionOf("dam-break", 100, {"method.time_step=0.2"});
+  const double step = session.System().parameters.time_step;
+  for (int i = 0; i < 100 && session.message.empty(); ++i) session.Step();
+  EXPECT_NE(session.message.find("half the step, retry 1 of 3"), std::string::npos) << session.message;
+  EXPECT_EQ(session.System().parameters.time_step, step / 2);
 }
 
 }  // namespace

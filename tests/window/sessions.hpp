@@ -8,13 +8,18 @@
 
 namespace sph {
 
-inline Session SessionOf(const std::string& scene, std::size_t particles = 100) {
+inline Session SessionOf(const std::string& scene, std::size_t particles = 100,
+                         std::vector<std::string> settings = {}) {
   SceneRequest request;
   request.scene = scene;
   request.particles = particles;
   request.threads = 1;
+  request.settings = std::move(settings);
   return Session(request);
 }
+
+/// One whose first unstable step is its last.
+inline Session SessionWithoutRetries() { return SessionOf("dam-break", 100, {"method.retries=0"}); }
 
 /// The wall of that name; the scene must have it.
 inline Wall& WallOf(Session& session, const std::string& name) {

@@ -23,7 +23,7 @@ struct Watched {
               request.scene = scene;
               request.particles = 100;
               request.threads = 1;
-              if (time_step > 0) request.settings.push_back(fmt::format("method.time_step={}", time_step));
+              if (time_step > 0) request.settings = {fmt::format("method.time_step={}", time_step), "method.retries=0"};
               return request;
             }(),
             [this] { bell.Ring(); }) {}

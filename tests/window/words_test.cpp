@@ -30,7 +30,7 @@ TEST(StatusLine, SaysWhatRunsAndHowFast) {
 }
 
 TEST(StatusLine, SaysThatNothingMoves) {
-  Session session = SessionOf("dam-break");
+  Session session = SessionWithoutRetries();
   session.paused = true;
   EXPECT_TRUE(Has(StatusLine(session, {}), "paused"));
   EXPECT_TRUE(StandingMessage(session).empty());
@@ -39,7 +39,7 @@ TEST(StatusLine, SaysThatNothingMoves) {
   for (int i = 0; i < 10; ++i) session.Step();
   EXPECT_TRUE(Has(StatusLine(session, {}), "stopped"));
   EXPECT_TRUE(Has(StandingMessage(session), session.System().Trouble()->Message()));
-  EXPECT_TRUE(Has(StandingMessage(session), "r resets"));
+  EXPECT_TRUE(Has(StandingMessage(session), "b goes back"));
 }
 
 TEST(Help, HasARowForEveryControlInTheWordsOfTheScene) {

@@ -1,4 +1,4 @@
-// Density and pressure of gas with Wendland kernels on vectors, against the sums over all pairs.
+// Density and pressure of gas with the kernels of solver delta on vectors, against the sums over all pairs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,23 +9,21 @@
 namespace sph {
 namespace {
 
-constexpr WendlandKernel kBoth[] = {WendlandKernel::kC2, WendlandKernel::kC4};
-
 template <typename Real>
-class WendlandPasses : public testing::Test {};
+class GasPasses : public testing::Test {};
 using BothPrecisions = testing::Types<float, double>;
-TYPED_TEST_SUITE(WendlandPasses, BothPrecisions);
+TYPED_TEST_SUITE(GasPasses, BothPrecisions);
 
-TYPED_TEST(WendlandPasses, DensityEqualsTheSumOverAllPairs) {
+TYPED_TEST(GasPasses, DensityEqualsTheSumOverAllPairs) {
   WithEveryInstructionSet([] {
     for (const Cloud& cloud : AllClouds()) {
-      for (const WendlandKernel kernel : kBoth) {
+      for (const SmoothingKernel kernel : kAllKernels) {
         auto found = FindNeighbours<TypeParam>(cloud, 2 * kCloudH);
         std::vector<TypeParam> density(cloud.Size() + kPadding);
         for (ListBlock& block : found.search.Blocks()) {
-          ComputeWendlandDensity(kernel, found.Input(), block, density.data());
+          ComputeGasDensity(kernel, found.Input(), block, density.data());
         }
-        const auto plain = PlainWendlandDensity(kernel, found.cloud, kCloudH);
+        const auto plain = PlainGasDensity(kernel, found.cloud, kCloudH);
         double greatest = 0;
         for (const PlainSum& sum : plain) greatest = std::max(greatest, sum.value.x);
         for (std::size_t i = 0; i < cloud.Size(); ++i) {
@@ -36,10 +34,10 @@ TYPED_TEST(WendlandPasses, DensityEqualsTheSumOverAllPairs) {
   });
 }
 
-TYPED_TEST(WendlandPasses, PressureEqualsTheSumOverAllPairs) {
+TYPED_TEST(GasPasses, PressureEqualsTheSumOverAllPairs) {
   WithEveryInstructionSet([] {
     for (const Cloud& cloud : AllClouds()) {
-      for (const WendlandKernel kernel : kBoth) {
+      for (const SmoothingKernel kernel : kAllKernels) {
         auto found = FindNeighbours<TypeParam>(cloud, 2 * kCloudH);
         Random random(7);
         std::vector<double> term(cloud.Size());
@@ -48,9 +46,9 @@ TYPED_TEST(WendlandPasses, PressureEqualsTheSumOverAllPairs) {
         converted.resize(cloud.Size() + kPadding);
         std::vector<double> ax(cloud.Size()), ay(cloud.Size());
         for (const ListBlock& block : found.search.Blocks()) {
-          AddWendlandPressure(kernel, found.Input(), block, converted.data(), ax.data(), ay.data());
+          AddGasPressure(kernel, found.Input(), block, converted.data(), ax.data(), ay.data());
         }
-        const auto plain = PlainWendlandPressure(kernel, found.cloud, term, kCloudH);
+        const auto plain = PlainGasPressure(kernel, found.cloud, term, kCloudH);
         double greatest = 0;
         for (const PlainSum& sum : plain) greatest = std::max(greatest, Length(sum.value));
         for (std::size_t i = 0; i < cloud.Size(); ++i) {

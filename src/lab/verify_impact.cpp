@@ -1,0 +1,98 @@
+// The dam break that hits a wall: when a computation without friction says, and with the pressure of Lobovsky's hundred
+// repetitions.
+#include <algorithm>
+#include <cmath>
+
+#include "lab/reference_data.hpp"
+#include "lab/series.hpp"
+#include "lab/verification.hpp"
+#include "lab/wall_probe.hpp"
+
+namespace sph {
+namespace {
+
+/// sqrt(H/g) [s], the unit of T.
+double UnitOfTime(const ParticleSystemSPH& system) {
+  return std::sqrt(system.parameters.fluid.region.box.Height() / -system.parameters.gravity.y);
+}
+
+/// rho g H [Pa], the unit of P.
+double UnitOfPressure(const ParticleSystemSPH& system) {
+  return -ReferenceDensity(system.parameters_sph.equation_of_state) * system.parameters.gravity.y *
+         system.parameters.fluid.region.box.Height();
+}
+
+double FarWall(ParticleSystemSPH& system) { return FindWall(system.parameters.walls, "right")->at; }
+
+/// What a gauge `height` [m] above the floor in the far wall feels: (T, P), P being the mean over the time since the
+/// point before it, as of a gauge that misses nothing. Until it breaks down.
+Series SignalOf(ParticleSystemSPH& system, const std::vector<double>& times, double height) {
+  const Vec2 gauge{FarWall(system), height};
+  Series signal;
+  for (const double time : times) {
+    double sum = 0, since = 0;
+    while (system.Time() < UnitOfTime(system) * time && !system.Trouble()) {
+      system.Step();
+      sum += system.parameters.time_step * PressureAtWall(system, gauge);
+      since += system.parameters.time_step;
+    }
+    if (since > 0) {
+      signal.push_back({(system.Time() - 0.5 * since) / UnitOfTime(system), sum / since / UnitOfPressure(system)});
+    }
+  }
+  return signal;
+}
+
+}  // namespace
+
+std::vector<Verdict> MeasureWallArrival(ParticleSystemSPH& system) {
+  constexpr double kConverged = 2.34;
+  constexpr double kLatest = 3;
+  const double at_the_wall = FarWall(system) - 0.5 * system.InitialSpacing();
+  const double unit = UnitOfTime(system);
+  Series front;
+  const auto note = [&] { front.push_back({system.Time() / unit, std::ranges::max(system.State().x)}); };
+  note();
+  while (front.back().y < at_the_wall && system.Time() < kLatest * unit && !system.Trouble()) {
+    system.Step();
+    note();
+  }
+  return {{"T of the first particle's edge there, difference", std::abs(FirstAbove(front, at_the_wall) - kConverged),
+           0.03, "t sqrt(g/H) = 2.34, computed without friction, H/dx = 400"}};
+}
+
+std::vector<Verdict> MeasureWallImpact(ParticleSystemSPH& system) {
+  constexpr double kGauge = 0.015;  // [m] above the floor, the second gauge
+  constexpr double kWet = 0.1;      // of rho g H: the gauge has felt the water
+  const auto band = ReadReferenceRows("lobovsky2014_H300_s2_percentiles", 4);
+  std::vector<double> times;
+  Series median;
+  for (const auto& row : band) {
+    times.push_back(row[0]);
+    median.push_back({row[0], row[2]});
+  }
+  const Series signal = SignalOf(system, times, kGauge);
+  const double measured = FirstAbove(median, kWet);
+  const double delay = measured - FirstAbove(signal, kWet);
+  double outside = 0, whole = 0, impulse = 0, measured_impulse = 0;
+  for (std::size_t k = 1; k < band.size(); ++k) {
+    const auto& row = band[k];
+    if (row[0] < measured) continue;
+    const double lasts = row[0] - band[k - 1][0];  // rows are denser where the pressure is high
+    const double now = ValueAt(signal, row[0] - delay);
+    whole += lasts;
+    if (!(row[1] <= now && now <= row[3])) outside += lasts;
+    impulse += lasts * now;
+    measured_impulse += lasts * row[2];
+  }
+  const bool broken = system.Trouble().has_value();
+  return {{"T of 0.1 rho g H at z = 15 mm, difference", broken ? kBroken : std::abs(delay), 0.03,
+           "Lobovsky 2014, median of 100 runs: 2.461"},
+          {"pressure there, share of time outside the 95 % band", broken ? kBroken : outside / whole, 0.5,
+           "of these runs, aligned at that T; delta-SPH with H/dx = 400: 0.82"},
+          {"impulse there from then to T = 7.1, relative error",
+           broken ? kBroken : std::abs(impulse / measured_impulse - 1), 0.1,
+           "of the median; delta-SPH with H/dx = 400: 0.34"}};
+}
+
+}  // namespace sph
