@@ -32,6 +32,6 @@ run dev -L quick "$@"
 only_one_at_a_time build tsan threads tests
 # OpenMP's own library is not instrumented: it tells ThreadSanitizer itself what waits for what.
 TSAN_OPTIONS=ignore_noninstrumented_modules=1 run tsan -L quick \
-  -R '^(Determinism|DoubleBuffer|FrameRecorder|HandOver|Session|Simulation)\.'
+  -R '^(Determinism\.(ADrop|EverySolver)|(DoubleBuffer|FrameRecorder|HandOver|Session|Simulation)\.)'
 only_one_at_a_time build fuzz fuzzers tests
 tests/fuzz/run.sh 15

@@ -96,6 +96,7 @@ double Greatest(double h_over_spacing, Frequency2 frequency2) {
 RadialKernel CubicSplineOfUnitLength() { return FromGradient<CubicSpline<2>>(); }
 RadialKernel WendlandC2OfUnitLength() { return FromGradient<WendlandC2>(); }
 RadialKernel WendlandC4OfUnitLength() { return FromGradient<WendlandC4>(); }
+RadialKernel QuinticSplineOfUnitLength() { return FromGradient<QuinticSpline>(); }
 RadialKernel Poly6OfUnitLength() {
   return Of<Poly6>([](double q) { return (Poly6(1).Value(q + kStep) - Poly6(1).Value(q - kStep)) / (2 * kStep); });
 }

@@ -19,6 +19,7 @@ struct RadialKernel {
 RadialKernel CubicSplineOfUnitLength();
 RadialKernel WendlandC2OfUnitLength();
 RadialKernel WendlandC4OfUnitLength();
+RadialKernel QuinticSplineOfUnitLength();
 /// Mueller's, of which the smoothing length is the support.
 RadialKernel Poly6OfUnitLength();
 RadialKernel SpikyOfUnitLength();

@@ -69,6 +69,8 @@ std::span<const VerificationCase> AllVerificationCases() {
                        Named("water-column"), &MeasureMeasuredFront, nullptr, false},
       VerificationCase{"oscillating-drop", "a drop under a central force, three periods, R/dx = 50", true,
                        Named("oscillating-drop"), &MeasureOscillatingDrop},
+      VerificationCase{"capillary-drop", "a drop that swings by its surface tension, R/dx = 25", false,
+                       Named("capillary-drop", {"fluid.flow_speed=0.1"}), &MeasureCapillaryDrop, nullptr, false},
       VerificationCase{"rotating-square", "a square that throws out arms, L/dx = 100", true, Named("rotating-square"),
                        &MeasureRotatingSquare},
       VerificationCase{"standing-wave", "a wave between walls for eight periods, Re = 250, H/dx = 50", true,

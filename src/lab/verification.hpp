@@ -73,6 +73,7 @@ std::vector<Verdict> MeasurePoiseuille(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureMeasuredFront(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureCouette(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureOscillatingDrop(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureCapillaryDrop(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureRotatingSquare(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureStandingWave(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureWallArrival(ParticleSystemSPH& system);

@@ -200,6 +200,8 @@ std::span<const SceneKey> AllSceneKeys() {
        Number(not_negative, [](S& s) -> double& { return s.base.motion_damping; })},
       {"forces.viscosity", "mu [Pa s]; solvers mueller and delta", kAny, false,
        Number(not_negative, [](S& s) -> double& { return s.sph.viscosity; })},
+      {"forces.surface_tension", "sigma [N]; solver delta, liquids", kAny, false,
+       Number(not_negative, [](S& s) -> double& { return s.sph.delta.surface_tension; })},
 
       {"walls.kind", "what happens to a particle inside a wall", kStart, false,
        Choice(kWallKinds, [](S& s) -> WallKind& { return s.base.wall.kind; })},

@@ -6,7 +6,10 @@
 namespace sph {
 
 Delta::Delta(const Parameters& base, const ParametersSPH& sph) : ParticleSystemSPH(base, sph) {
-  if (sph.precision == Precision::kDouble) arrays_ = Arrays<double>();
+  if (sph.precision == Precision::kDouble) {
+    arrays_ = Arrays<double>();
+    surface_ = SurfaceArrays<double>();
+  }
 }
 
 double Delta::Sound() const {
@@ -244,6 +247,26 @@ void Delta::ComputeForces() {
         });
       },
       fluid_, parameters_sph.equation_of_state);
+  if (HasTension()) AddTension();
+}
+
+void Delta::AddTension() {
+  const PhaseTimer timer(phases_, "surface tension");
+  Particles& p = particles_;
+  std::visit(
+      [&]<typename Real>(const FluidArrays<Real>& fluid) {
+        const Real* const volume = std::get<Arrays<Real>>(arrays_).volume.data();
+        auto& surface = std::get<SurfaceArrays<Real>>(surface_);
+        for (auto* values : surface.All()) values->resize(p.Size() + neighbours_.AllImages().Size() + kPadding);
+        ForEachBlock([&](const ListBlock& block) { ComputeSurface(InputOf(fluid), volume, block, surface); });
+        CopyVectorToImages(surface.normal_x, surface.normal_y);
+        CopyToImages(surface.weight);
+        const SurfaceInput<Real> input{parameters_sph.delta.kernel, &surface, volume, fluid.density.data(),
+                                       parameters_sph.delta.surface_tension};
+        ForEachBlock(
+            [&](const ListBlock& block) { AddSurfaceTension(InputOf(fluid), input, block, p.ax.data(), p.ay.data()); });
+      },
+      fluid_);
 }
 
 /// What a turbulent boundary layer takes from the particles beside a wall, which stand for a layer one spacing thick
@@ -298,8 +321,10 @@ std::size_t Delta::Bytes() const {
   const std::size_t own = sizeof(double) * (density_.capacity() + mid_x_.capacity() + mid_y_.capacity());
   return ParticleSystemSPH::Bytes() + own +
          std::visit(
-             []<typename Real>(const Arrays<Real>& arrays) { return sizeof(Real) * 12 * arrays.volume.capacity(); },
-             arrays_);
+             []<typename Real>(const Arrays<Real>& arrays, const auto& surface) {
+               return sizeof(Real) * (12 * arrays.volume.capacity() + 5 * surface.weight.capacity());
+             },
+             arrays_, surface_);
 }
 
 void Delta::Transfer(Archive& archive) {
@@ -336,6 +361,10 @@ std::vector<PassPlan> Delta::Plan() const {
                   shifts    ? "particles go where they lack"
                   : IsGas() ? "a gas fills gaps by itself"
                             : "shifting is off"});
+  plan.push_back({"surface tension", HasTension(),
+                  HasTension() ? "the surface gets shorter"
+                  : IsGas()    ? "a gas has no surface"
+                               : "sigma is 0"});
   return plan;
 }
 

@@ -6,6 +6,7 @@
 
 #include "sph/delta_passes.hpp"
 #include "sph/particle_system_sph.hpp"
+#include "sph/surface_tension.hpp"
 
 namespace sph {
 
@@ -57,6 +58,7 @@ class Delta : public ParticleSystemSPH {
   double Rho0() const { return ReferenceDensity(parameters_sph.equation_of_state); }
   /// Speed of sound at the reference density [m/s].
   double Sound() const;
+  bool HasTension() const { return !IsGas() && parameters_sph.delta.surface_tension > 0; }
   void AdvanceDensity();
   bool InOrder(double density) const;
   /// Of the images, from those of their sources: velocities, turned round in mirrors relative to the wall; the gradient
@@ -67,7 +69,11 @@ class Delta : public ParticleSystemSPH {
   void CopyGradientToImages(Arrays<Real>& arrays) const;
   template <typename Real>
   void CopyPressureToImages(Arrays<Real>& arrays) const;
+  /// A vector that a mirror turns round.
+  template <typename Real>
+  void CopyVectorToImages(std::vector<Real>& x, std::vector<Real>& y) const;
   void ComputeForces();
+  void AddTension();
   void AddWallFriction(std::size_t first, std::size_t last);
   template <typename Real>
   WaterInput<Real> WaterOf(const Arrays<Real>& arrays) const;
@@ -79,6 +85,7 @@ class Delta : public ParticleSystemSPH {
   std::vector<double> mid_x_, mid_y_;
   std::vector<double> furthest_shift2_;  // [chunks] [m^2]
   std::variant<Arrays<float>, Arrays<double>> arrays_;
+  std::variant<SurfaceArrays<float>, SurfaceArrays<double>> surface_;  // empty without tension
 };
 
 }  // namespace sph

@@ -94,11 +94,23 @@ void Delta::CopyPressureToImages(Arrays<Real>& arrays) const {
   }
 }
 
+template <typename Real>
+void Delta::CopyVectorToImages(std::vector<Real>& x, std::vector<Real>& y) const {
+  const Images& images = neighbours_.AllImages();
+  for (std::size_t k = 0; k < images.Size(); ++k) {
+    const std::uint32_t i = images.Sources()[k];
+    x[particles_.Size() + k] = Mirrored(images.InX()[k]) ? -x[i] : x[i];
+    y[particles_.Size() + k] = Mirrored(images.InY()[k]) ? -y[i] : y[i];
+  }
+}
+
 template void Delta::CopyVelocitiesToImages(Arrays<float>&) const;
 template void Delta::CopyVelocitiesToImages(Arrays<double>&) const;
 template void Delta::CopyGradientToImages(Arrays<float>&) const;
 template void Delta::CopyGradientToImages(Arrays<double>&) const;
 template void Delta::CopyPressureToImages(Arrays<float>&) const;
 template void Delta::CopyPressureToImages(Arrays<double>&) const;
+template void Delta::CopyVectorToImages(std::vector<float>&, std::vector<float>&) const;
+template void Delta::CopyVectorToImages(std::vector<double>&, std::vector<double>&) const;
 
 }  // namespace sph

@@ -58,6 +58,9 @@ std::vector<StepLimit> Delta::StepLimits() const {
   const double nu = parameters_sph.viscosity / Rho0();
   const double viscous = delta.viscous_form == ViscousForm::kStress ? 0.25 * kernel.plain_spread : kernel.sharp_spread;
   if (nu > 0) limits.push_back({"viscosity", 0.5 * viscous * half2 / nu, true});
+  if (HasTension()) {
+    limits.push_back({"surface tension", LongestTensionStep(Support(), Rho0(), delta.surface_tension)});
+  }
   return limits;
 }
 

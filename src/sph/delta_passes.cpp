@@ -231,16 +231,6 @@ void ForcesWith(const PassInput<Real>& input, const WaterInput<Real>& water, Lis
 
 }  // namespace
 
-// Calls pass<Real, Lanes>(arguments) with the lanes of that kernel.
-#define SPH_WITH_KERNEL(kernel, Real, pass, ...)          \
-  switch (kernel) {                                       \
-    case SmoothingKernel::kWendlandC2:                    \
-      return pass<Real, WendlandC2Lanes>(__VA_ARGS__);    \
-    case SmoothingKernel::kWendlandC4:                    \
-      return pass<Real, WendlandC4Lanes>(__VA_ARGS__);    \
-    case SmoothingKernel::kQuintic:                       \
-      return pass<Real, QuinticSplineLanes>(__VA_ARGS__); \
-  }
 #define SPH_PASSES_OF(Real, Name)                                                                                   \
   void GasDensity##Name(SmoothingKernel kernel, const PassInput<Real>& input, ListBlock& block, Real* density) {    \
     SPH_WITH_KERNEL(kernel, Real, DensityOf, input, block, density)                                                 \
@@ -260,7 +250,6 @@ void ForcesWith(const PassInput<Real>& input, const WaterInput<Real>& water, Lis
 SPH_PASSES_OF(float, Float)
 SPH_PASSES_OF(double, Double)
 #undef SPH_PASSES_OF
-#undef SPH_WITH_KERNEL
 
 }  // namespace HWY_NAMESPACE
 }  // namespace sph

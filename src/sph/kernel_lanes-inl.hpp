@@ -261,4 +261,17 @@ class QuinticSplineLanes {
 }  // namespace sph
 HWY_AFTER_NAMESPACE();
 
+#ifndef SPH_WITH_KERNEL
+// Calls pass<Real, Lanes>(arguments) with the lanes of that SmoothingKernel.
+#define SPH_WITH_KERNEL(kernel, Real, pass, ...)          \
+  switch (kernel) {                                       \
+    case SmoothingKernel::kWendlandC2:                    \
+      return pass<Real, WendlandC2Lanes>(__VA_ARGS__);    \
+    case SmoothingKernel::kWendlandC4:                    \
+      return pass<Real, WendlandC4Lanes>(__VA_ARGS__);    \
+    case SmoothingKernel::kQuintic:                       \
+      return pass<Real, QuinticSplineLanes>(__VA_ARGS__); \
+  }
+#endif
+
 #endif  // per-target include guard

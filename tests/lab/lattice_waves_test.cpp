@@ -54,6 +54,13 @@ TEST(LatticeWaves, GiveTheFiguresThatLeapfrogIsKnownToStopAt) {
   }
 }
 
+TEST(LatticeWaves, OfStillWaterDoNotGrow) {
+  // Scene still-water has the quintic spline and, at its floor, P/(rho c^2) = 1/400; with more neighbours rows slide.
+  const RadialKernel kernel = QuinticSplineOfUnitLength();
+  EXPECT_EQ(GreatestGrowth(kernel, {0.94, 1.0 / 400}), 0);
+  EXPECT_GT(GreatestGrowth(kernel, {1.065, 1.0 / 400}), 0.005);
+}
+
 /// The paper's gas on a periodic lattice, of which one wave displaces the particles a little.
 class WavyGas : public ParticleSystemSPH {
  public:

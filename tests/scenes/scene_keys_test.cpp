@@ -69,6 +69,7 @@ const std::vector<Example> kExamples = {
     {"forces.central=-1.8", [](const Scene& s) { return s.base.central_force == -1.8; }},
     {"forces.damping=1.9", [](const Scene& s) { return s.base.motion_damping == 1.9; }},
     {"forces.viscosity=2.1", [](const Scene& s) { return s.sph.viscosity == 2.1; }},
+    {"forces.surface_tension=0.07", [](const Scene& s) { return s.sph.delta.surface_tension == 0.07; }},
     {"walls.kind=reflect", [](const Scene& s) { return s.base.wall.kind == WallKind::kReflect; }},
     {"walls.stiffness=2.2", [](const Scene& s) { return s.base.wall.stiffness == 2.2; }},
     {"walls.damping=2.3", [](const Scene& s) { return s.base.wall.damping == 2.3; }},
