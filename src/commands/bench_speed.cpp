@@ -14,7 +14,7 @@ namespace {
 
 /// The table of run times; false if it was interrupted.
 bool WriteSpeeds(const std::filesystem::path& out, bool quick, const std::string& machine) {
-  const VectorRates rates = MeasureVectorRates();
+  const RatesOfThreads rates = MeasureVectorRates();
   Protocol table(machine + DescribeLimit(rates) + "\n" + SpeedTableHead());
   std::vector<SpeedResult> results;
   for (const SpeedCase& of : SpeedCases(quick)) {

@@ -96,7 +96,7 @@ void WarmUp(ParticleSystemSPH& system, Flow flow) {
   CheckThatItRuns(system);
 }
 
-std::vector<SpeedResult> MeasureSpeed(const SpeedCase& of, const VectorRates& rates) {
+std::vector<SpeedResult> MeasureSpeed(const SpeedCase& of, const RatesOfThreads& rates) {
   const InstructionSetFor set(of.instruction_set);
   const auto system = MakeSystem(SpeedScene(of.flow, of.particles, of.precision));
   WarmUp(*system, of.flow);
@@ -136,7 +136,7 @@ std::vector<SpeedResult> MeasureSpeed(const SpeedCase& of, const VectorRates& ra
     result.pressure_ns = 1e9 * measured.phases["pressure"];
     result.walls_ns = 1e9 * measured.phases["walls"];
     result.integrate_ns = 1e9 * measured.phases["integrate"];
-    result.limit_ns = 1e9 * LeastSeconds(rates, of.precision, common.neighbours, result.threads);
+    result.limit_ns = 1e9 * LeastSeconds(rates.at(result.threads), of.precision, common.neighbours);
   }
   return results;
 }

@@ -54,8 +54,8 @@ struct SpeedResult {
 };
 
 /// Runs a case, after a warm-up: a tank until it is nearly still, a column until t = sqrt(H/g), in mid-collapse.
-/// TroubleError if it breaks down.
-std::vector<SpeedResult> MeasureSpeed(const SpeedCase& of, const VectorRates& rates);
+/// TroubleError if it breaks down. `rates` has every number of threads of the case.
+std::vector<SpeedResult> MeasureSpeed(const SpeedCase& of, const RatesOfThreads& rates);
 
 /// The cases of the whole benchmark, or of a short one.
 std::vector<SpeedCase> SpeedCases(bool quick);

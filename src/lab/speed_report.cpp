@@ -77,13 +77,16 @@ std::string SpeedTableRow(const SpeedResult& r) {
       MillionPerSecond(r.ns.least), r.neighbours, r.steps_per_list, r.bytes, r.errors.density, r.errors.acceleration);
 }
 
-std::string DescribeLimit(const VectorRates& rates) {
+std::string DescribeLimit(const RatesOfThreads& rates) {
   const auto line = [&](Precision precision) {
     const PassOperations operations = OperationsPerVector(precision);
-    return fmt::format("  {:<6} {:6.1f} thousand million a second and thread; {} + {} operations for each neighbour\n",
-                       NameOf(precision), 1e-9 * rates.Of(precision), operations.density, operations.pressure);
+    const double one = rates.at(1).Of(precision), two = rates.at(2).Of(precision);
+    return fmt::format(
+        "  {:<6} {:6.1f} thousand million a second, two threads {:.2f} times as many; {} + {} operations for each "
+        "neighbour\n",
+        NameOf(precision), 1e-9 * one, two / one, operations.density, operations.pressure);
   };
-  return "limit: the multiply-adds that a thread was measured to make on vectors in registers, over the operations of\n"
+  return "limit: the multiply-adds that threads were measured to make on vectors in registers, over the operations of\n"
          "density and pressure for the neighbours alone, as if no lane were wasted and all else were free\n" +
          line(Precision::kFloat) + line(Precision::kDouble);
 }

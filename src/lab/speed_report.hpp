@@ -17,7 +17,7 @@ std::string SpeedTableHead();
 std::string SpeedTableRow(const SpeedResult& result);
 
 /// What the limit is made of, in a few lines.
-std::string DescribeLimit(const VectorRates& rates);
+std::string DescribeLimit(const RatesOfThreads& rates);
 
 /// Million particle-steps per second of the tank against N: on one thread every instruction set in float and the best
 /// in double, the best in float on two threads, and the limits of one thread.

@@ -68,33 +68,35 @@ double Run(long rounds, double) { return HWY_DYNAMIC_DISPATCH(MultiplyAddsDouble
 constexpr int kSums = 10;
 
 template <typename Real>
-double MultiplyAddRate() {
+double MultiplyAddRate(int threads) {
   constexpr int kTries = 20;
   constexpr long kRounds = 1'000'000;  // some milliseconds
   double least = 1e9;
   Real sum = 0;
   for (int attempt = 0; attempt < kTries; ++attempt) {
     const Stopwatch watch;
-    sum += Run(kRounds, Real{});
+#pragma omp parallel for num_threads(threads) reduction(+ : sum) schedule(static, 1)
+    for (int thread = 0; thread < threads; ++thread) sum += Run(kRounds, Real{});
     least = std::min(least, watch.Seconds());
   }
   SPH_CHECK(sum > 0, "sum = {}", sum);
-  return static_cast<double>(kRounds) * kSums * Lanes<Real>() / least;
+  return threads * static_cast<double>(kRounds) * kSums * Lanes<Real>() / least;
 }
-template double MultiplyAddRate<float>();
-template double MultiplyAddRate<double>();
+template double MultiplyAddRate<float>(int);
+template double MultiplyAddRate<double>(int);
 
-VectorRates MeasureVectorRates() {
+RatesOfThreads MeasureVectorRates() {
   const std::string before = InstructionSetInUse();
   UseInstructionSet("best", "bench");
-  const VectorRates rates{MultiplyAddRate<float>(), MultiplyAddRate<double>()};
+  RatesOfThreads rates;
+  for (const int threads : {1, 2}) rates[threads] = {MultiplyAddRate<float>(threads), MultiplyAddRate<double>(threads)};
   UseInstructionSet(before, "bench");
   return rates;
 }
 
-double LeastSeconds(const VectorRates& rates, Precision precision, double neighbours, int threads) {
+double LeastSeconds(const VectorRates& rates, Precision precision, double neighbours) {
   const PassOperations operations = OperationsPerVector(precision);
-  return neighbours * (operations.density + operations.pressure) / (rates.Of(precision) * threads);
+  return neighbours * (operations.density + operations.pressure) / rates.Of(precision);
 }
 
 }  // namespace sph

@@ -1,14 +1,16 @@
-// How fast one thread multiplies and adds on vectors, measured, and what the passes over neighbours could at best cost.
+// How fast threads multiply and add on vectors, measured, and what the passes over neighbours could at best cost.
 #pragma once
+
+#include <map>
 
 #include "sph/particle_system_sph.hpp"
 
 namespace sph {
 
-/// Multiply-adds [1/s] of one thread with the instruction set in use, each lane counted: the best of a few tries with
-/// independent sums that stay in registers.
+/// Multiply-adds [1/s] of so many threads together with the instruction set in use, each lane counted: the best of a
+/// few tries with independent sums that stay in registers. Two threads that share a core make hardly more than one.
 template <typename Real>
-double MultiplyAddRate();
+double MultiplyAddRate(int threads);
 
 /// The same in both precisions with the best instruction set.
 struct VectorRates {
@@ -17,7 +19,9 @@ struct VectorRates {
 
   double Of(Precision precision) const { return precision == Precision::kFloat ? in_float : in_double; }
 };
-VectorRates MeasureVectorRates();
+using RatesOfThreads = std::map<int, VectorRates>;
+/// Of one thread and of two.
+RatesOfThreads MeasureVectorRates();
 
 /// Arithmetic operations on vectors that one vector of neighbours needs, counted from the passes and kernels on vectors
 /// in src/sph. A fused multiply-add is one; broadcasting what belongs to neighbour j is a load and is not counted.
@@ -40,6 +44,6 @@ constexpr PassOperations OperationsPerVector(Precision precision) {
 
 /// The limit of the run time of a particle and step [s]: its `neighbours` in the support only, no lane wasted on other
 /// particles, every operation at the rate of multiply-adds, and all else free.
-double LeastSeconds(const VectorRates& rates, Precision precision, double neighbours, int threads);
+double LeastSeconds(const VectorRates& rates, Precision precision, double neighbours);
 
 }  // namespace sph

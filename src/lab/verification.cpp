@@ -30,6 +30,12 @@ SceneRequest CoarseVortices() {
   return request;
 }
 
+SceneRequest CoarseImpact() {
+  SceneRequest request = Named("wall-impact");
+  request.particles = 3200;
+  return request;
+}
+
 SceneRequest AccurateStar(std::vector<std::string> settings) {
   SceneRequest request = Named("toy-star", std::move(settings));
   request.solver = "delta";
@@ -79,6 +85,8 @@ std::span<const VerificationCase> AllVerificationCases() {
                        Named("wall-impact", {"walls.layer_viscosity=0"}), &MeasureWallArrival},
       VerificationCase{"wall-impact", "the same with friction hits the wall, and what a gauge there feels", true,
                        Named("wall-impact"), &MeasureWallImpact},
+      VerificationCase{"wall-pressure", "the same, H/dx = 40, and a gauge higher up the wall of another experiment",
+                       true, CoarseImpact(), &MeasureWallPressure, nullptr, false},
   };
   return cases;
 }

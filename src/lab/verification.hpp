@@ -78,6 +78,7 @@ std::vector<Verdict> MeasureRotatingSquare(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureStandingWave(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureWallArrival(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureWallImpact(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureWallPressure(ParticleSystemSPH& system);
 
 /// The value of a metric of a run that broke down: no bar holds it.
 inline constexpr double kBroken = std::numeric_limits<double>::infinity();

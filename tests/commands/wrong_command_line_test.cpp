@@ -25,7 +25,7 @@ TEST_P(WrongCommandLine, IsRefusedWithWhatIsAccepted) {
 const std::vector<Slip> kSlips = {
     {"UnknownScene", {"run", "dam-brek"}, {"unknown scene 'dam-brek'", "'dam-break'?", "toy-star", ".toml"}},
     {"UnknownSceneInAWindow", {"dambreak"}, {"unknown scene 'dambreak'", "'dam-break'?"}},
-    {"UnknownSceneLikeNoOther", {"info", "whirlpool"}, {"unknown scene 'whirlpool'", "There are: breathing-star, couette, dam-break, "}},
+    {"UnknownSceneLikeNoOther", {"info", "whirlpool"}, {"unknown scene 'whirlpool'", "There are: breathing-star, capillary-drop, couette, dam-break, "}},
     {"UnknownCommand", {"rendr"}, {"unknown command or scene 'rendr'", "'render'?"}},
     {"UnknownCommandWithArguments", {"rnu", "dam-break"}, {"unknown command or scene 'rnu'", "'run'?"}},
     {"UnknownOption", {"run", "--partcles", "3"}, {"'--partcles'", "'--particles'?", "`sphlab run --help`"}},

@@ -70,6 +70,38 @@ void BM_StepsAndPaperLoopsInTurns(benchmark::State& state, Precision precision) 
 BENCHMARK_CAPTURE(BM_StepsAndPaperLoopsInTurns, float, Precision::kFloat)->Arg(1000)->Arg(16000)->Arg(100000);
 BENCHMARK_CAPTURE(BM_StepsAndPaperLoopsInTurns, double, Precision::kDouble)->Arg(1000)->Arg(16000)->Arg(100000);
 
+/// The tank with h = 2 dx, which is 50 neighbours.
+std::unique_ptr<ParticleSystemSPH> WideTank(std::int64_t n, Precision precision, const char* solver) {
+  Scene scene = SpeedScene(Flow::kTank, static_cast<std::size_t>(n), precision);
+  scene.base.threads = 1;
+  scene.solver = solver;
+  scene.sph.smoothing_length *= 2 / 1.3;
+  auto system = MakeSystem(scene);
+  WarmUp(*system, Flow::kTank);
+  return system;
+}
+
+/// The whole step of solver delta, and the density and pressure passes of the paper's, in turns.
+void BM_DeltasStepAndThePapersPassesInTurns(benchmark::State& state, Precision precision) {
+  const auto delta = WideTank(state.range(0), precision, "delta"), paper = WideTank(state.range(0), precision, "paper");
+  const auto of_passes = [&] {
+    return paper->Phases().Seconds().at("density") + paper->Phases().Seconds().at("pressure");
+  };
+  const double before = of_passes();
+  double of_delta = 0;  // [s]
+  for (auto _ : state) {
+    const Stopwatch watch;
+    delta->Step();
+    of_delta += watch.Seconds();
+    paper->Step();
+  }
+  state.counters["step over passes"] = of_delta / (of_passes() - before);
+  state.counters["neighbours of delta"] = delta->MeanNeighbours();
+  state.counters["of paper"] = paper->MeanNeighbours();
+}
+BENCHMARK_CAPTURE(BM_DeltasStepAndThePapersPassesInTurns, float, Precision::kFloat)->Arg(16000)->Arg(100000);
+BENCHMARK_CAPTURE(BM_DeltasStepAndThePapersPassesInTurns, double, Precision::kDouble)->Arg(16000)->Arg(100000);
+
 }  // namespace
 }  // namespace sph
 
