@@ -20,11 +20,14 @@ std::vector<StartingParticle> InOrder(const ParticleSystemSPH& system) {
   return start;
 }
 
+/// Of as many particles as the fluid has in its region, whatever spacing it gives for a lattice.
+double EvenSpacing(const Block& fluid) { return std::sqrt(fluid.region.Area() / static_cast<double>(fluid.particles)); }
+
 /// The box around the fluid's region, with as many particles per area, at random places.
 Block BoxAround(const Block& fluid) {
   Block block;
   block.region.box = fluid.region.Bounds();
-  const double spacing = Spacing(fluid);
+  const double spacing = EvenSpacing(fluid);
   const double sites = block.region.Area() / (spacing * spacing);
   block.particles = fluid.region.radius > 0 ? static_cast<std::size_t>(std::ceil(sites)) : fluid.particles;
   return block;
@@ -57,12 +60,14 @@ std::vector<StartingParticle> OffTheSides(std::vector<StartingParticle> particle
 /// even. Of a disk those that are nearest to its centre are taken.
 std::vector<StartingParticle> RelaxedPacking(const Scene& scene, const Parameters& base) {
   constexpr double kSmoothingLength = 1.4, kSoundTimes = 60;  // in spacings; how often sound crosses one
-  const double spacing = Spacing(base.fluid);
+  const double spacing = EvenSpacing(base.fluid);
   Parameters gas;
   gas.fluid = BoxAround(base.fluid);
   gas.seed = base.seed;
   gas.threads = base.threads;
   gas.particle_mass = spacing * spacing;
+  if (!(gas.particle_mass > 0))
+    throw TroubleError("the fluid of {} cannot be packed: its region is too small", scene.name);
   gas.time_step = 0.3 * spacing;
   gas.adaptive_step = true;
   gas.motion_damping = 0.3 / spacing;

@@ -56,6 +56,13 @@ TEST(Relaxed, ParticlesAreFarApartAlthoughTheyAreRandom) {
   }
   const auto other = MakeSystem(Loaded("still-water", 800, {"fluid.arrange=relaxed", "seed=2"}));
   EXPECT_NE(other->State().x, p.x);
+  const auto same = MakeSystem(Loaded("still-water", 800, {"fluid.arrange=relaxed", "fluid.spacing=1e-200"}));
+  const auto in_order = [](const ParticleSystem& system) {
+    std::vector<double> x = system.State().x;
+    std::ranges::sort(x);
+    return x;
+  };
+  EXPECT_EQ(in_order(*same), in_order(*system)) << "a spacing is a lattice's";
 }
 
 TEST(Relaxed, DiskHasAllItsParticlesAndAPeriodicBoxNoSeam) {
@@ -68,6 +75,11 @@ TEST(Relaxed, DiskHasAllItsParticlesAndAPeriodicBoxNoSeam) {
   Particles shifted = box->State();
   for (double& x : shifted.x) x = std::fmod(x + 0.5, 1.0);
   EXPECT_GT(ToNearest(shifted).least, 0.75 * 0.05) << "what was the seam is in the middle";
+}
+
+TEST(Relaxed, RefusesARegionWithoutRoom) {
+  EXPECT_THROW(MakeSystem(Loaded("elliptic-drop", 700, {"fluid.arrange=relaxed", "fluid.region.disk.radius=1e-161"})),
+               TroubleError);
 }
 
 TEST(Settling, LeavesAStarAtRestThatWouldOtherwiseBreathe) {
