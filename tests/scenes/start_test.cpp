@@ -57,8 +57,8 @@ TEST(Relaxed, ParticlesAreFarApartAlthoughTheyAreRandom) {
   const auto other = MakeSystem(Loaded("still-water", 800, {"fluid.arrange=relaxed", "seed=2"}));
   EXPECT_NE(other->State().x, p.x);
   const auto same = MakeSystem(Loaded("still-water", 800, {"fluid.arrange=relaxed", "fluid.spacing=1e-200"}));
-  const auto in_order = [](const ParticleSystem& system) {
-    std::vector<double> x = system.State().x;
+  const auto in_order = [](const ParticleSystem& of) {
+    std::vector<double> x = of.State().x;
     std::ranges::sort(x);
     return x;
   };
