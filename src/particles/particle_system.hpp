@@ -9,8 +9,8 @@
 
 #include "base/archive.hpp"
 #include "base/clock.hpp"
-#include "base/first_failure.hpp"
 #include "base/random.hpp"
+#include "base/shared_work.hpp"
 #include "particles/canvas.hpp"
 #include "particles/parameters.hpp"
 #include "particles/particles.hpp"
@@ -194,13 +194,10 @@ void ParticleSystem::ForEachChunk(Work work) const {
   constexpr std::size_t kChunksOfOneThread = 64;  // waking the others costs more than so little work
   const std::size_t n = particles_.Size();
   const std::size_t chunks = ChunkCount();
-  FirstFailure failure;
-#pragma omp parallel for schedule(static) num_threads(ThreadCount()) if (chunks > kChunksOfOneThread)
-  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+  ShareOut(chunks, chunks > kChunksOfOneThread ? ThreadCount() : 1, [&](std::size_t chunk) {
     const std::size_t first = chunk * kParticlesPerChunk;
-    failure.Catch([&] { work(chunk, first, std::min(first + kParticlesPerChunk, n)); });
-  }
-  failure.Rethrow();
+    work(chunk, first, std::min(first + kParticlesPerChunk, n));
+  });
 }
 
 }  // namespace sph

@@ -148,14 +148,8 @@ template <typename Work>
 void ParticleSystemSPH::ForEachBlock(Work work) {
   constexpr std::size_t kBlocksOfOneThread = 3;  // waking the others costs more than so little work
   std::vector<ListBlock>& blocks = neighbours_.Blocks();
-  FirstFailure failure;
-  // The same blocks to the same thread in every pass, so that what it wrote last is still in its cache: a third less
-  // time with two threads than if blocks go to whoever is free.
-#pragma omp parallel for schedule(static) num_threads(ThreadCount()) if (blocks.size() > kBlocksOfOneThread)
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    failure.Catch([&] { work(blocks[b]); });
-  }
-  failure.Rethrow();
+  ShareOut(blocks.size(), blocks.size() > kBlocksOfOneThread ? ThreadCount() : 1,
+           [&](std::size_t block) { work(blocks[block]); });
 }
 
 template <typename Real>
