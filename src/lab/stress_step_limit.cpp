@@ -32,6 +32,7 @@ const std::vector<LatticeFluid> kFluids = {
     {"delta, Wendland C2, liquid, h/dx = 1.3", "delta", SmoothingKernel::kWendlandC2, false, 1.3},
     {"delta, Wendland C2, liquid, h/dx = 2", "delta", SmoothingKernel::kWendlandC2, false, 2.0},
     {"delta, Wendland C4, liquid, h/dx = 2", "delta", SmoothingKernel::kWendlandC4, false, 2.0},
+    {"delta, Wendland C2, gas, h/dx = 1.3", "delta", SmoothingKernel::kWendlandC2, true, 1.3},
     {"delta, Wendland C2, gas, h/dx = 1.4", "delta", SmoothingKernel::kWendlandC2, true, 1.4},
     {"delta, Wendland C2, gas, h/dx = 2", "delta", SmoothingKernel::kWendlandC2, true, 2.0},
     {"delta, Wendland C4, gas, h/dx = 2", "delta", SmoothingKernel::kWendlandC4, true, 2.0},

@@ -41,11 +41,11 @@ template <typename Real>
 void ComputeSurface(const PassInput<Real>& input, const Real* volume, const ListBlock& block,
                     SurfaceArrays<Real>& arrays);
 
-/// Adds 2 s sigma kappa/rho_i sum_j V_j grad W [m/s^2] to the accelerations of the block's particles. Without it the
-/// pressure force of solver delta is that of a fluid with no pressure outside; with it the pressure outside is s sigma
-/// kappa, so that a drop with the pressure sigma kappa throughout is at rest. The force is the continuum surface force
-/// [J. U. Brackbill, D. B. Kothe & C. Zemach, J. Comput. Phys. 100 (1992) 335, eqs. 12 to 24] in the discrete form of
-/// the pressure's.
+/// Adds 2 s sigma kappa/(f rho_i) sum_j V_j grad W [m/s^2] to the accelerations of the block's particles, f being the
+/// part of the gradient at a flat surface that s leaves. Without it the pressure force of solver delta is that of a
+/// fluid with no pressure outside; with it the pressure outside is s sigma kappa/f, so that a drop with the pressure
+/// sigma kappa throughout is nearly at rest. It is the continuum surface force [J. U. Brackbill, D. B. Kothe & C.
+/// Zemach, J. Comput. Phys. 100 (1992) 335] in the discrete form of the pressure's.
 /// kappa = k/(1 + k depth) is the surface's curvature next to the particle, k = -div n the one of the parallel line
 /// through it; the divergence is renormalised with those neighbours that have normals.
 template <typename Real>
