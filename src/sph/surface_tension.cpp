@@ -45,7 +45,7 @@ HWY_INLINE hn::Vec<D> Nearness(D d, hn::Vec<D> r2, hn::Vec<D> per_support2) {
 }
 
 /// How far from the surface the colour is c, in supports: C(z) = 1/2 + 128/(35 pi) int_0^z (1 - t^2)^(7/2) dt of a flat
-/// surface turned round, to 0.003 as far as z = 0.45.
+/// surface turned round, to 0.001 as far as z = 0.3 and to 0.007 as far as 0.4; beyond that hardly anything counts.
 template <class D>
 HWY_INLINE hn::Vec<D> DepthOf(D d, hn::Vec<D> colour) {
   const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<hn::TFromD<D>>(value)); };
