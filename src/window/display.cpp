@@ -1,7 +1,10 @@
 #include "window/display.hpp"
 
+#include <unistd.h>
+
 #include <array>
 #include <charconv>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 
@@ -22,6 +25,8 @@ using Pending = int (*)(void* connection);
 using ConnectionNumber = int (*)(void* connection);
 using ErrorHandler = int (*)(void* connection, void* error);
 using SetErrorHandler = ErrorHandler (*)(ErrorHandler);
+using IOErrorHandler = int (*)(void* connection);
+using SetIOErrorHandler = IOErrorHandler (*)(IOErrorHandler);
 
 int Ignore(void*, void*) { return 0; }
 
@@ -30,6 +35,21 @@ std::string DisplayName() {
   const char* name = std::getenv("DISPLAY");
   return name == nullptr ? "" : name;
 }
+
+/// What is said when the server is gone; made beforehand, as a signal's handler may not.
+std::string& Farewell() {
+  static std::string text;
+  return text;
+}
+
+/// Without what is to be done at a program's end: that crashes where other threads still run.
+[[noreturn]] void EndAtOnce() {
+  const std::string& text = Farewell();
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
+  _exit(static_cast<int>(ExitCode::kTrouble));
+}
+int OnLostServer(void*) { EndAtOnce(); }
+void OnCrash(int) { EndAtOnce(); }
 
 Library LoadXlib(const std::string& advice) {
   if (DisplayName().empty()) throw TroubleError("no display to open a window on: DISPLAY is not set.\n{}", advice);
@@ -44,6 +64,9 @@ Display::Display(const std::string& advice) : xlib_(LoadXlib(advice)) {
     throw TroubleError("no display to open a window on: the X server of DISPLAY={} does not answer, or refuses.\n{}",
                        DisplayName(), advice);
   }
+  Farewell() = "sphlab: lost the X server of DISPLAY=" + DisplayName() + "\n";
+  std::signal(SIGPIPE, SIG_IGN);  // Xlib is to see that nobody reads any more
+  xlib_.Find<SetIOErrorHandler>("XSetIOErrorHandler")(&OnLostServer);
 }
 
 Display::~Display() { xlib_.Find<CloseDisplay>("XCloseDisplay")(connection_); }
@@ -82,5 +105,9 @@ Display::Forgiving::Forgiving(const Display& display)
 Display::Forgiving::~Forgiving() {
   display_.xlib_.Find<SetErrorHandler>("XSetErrorHandler")(reinterpret_cast<ErrorHandler>(handler_before_));
 }
+
+Display::Opening::Opening() : handler_before_(std::signal(SIGSEGV, &OnCrash)) {}
+
+Display::Opening::~Opening() { std::signal(SIGSEGV, handler_before_); }
 
 }  // namespace sph

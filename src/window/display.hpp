@@ -9,7 +9,8 @@
 namespace sph {
 
 /// A connection of our own to $DISPLAY. To be kept until freeglut has its own: a server whose last client leaves may
-/// start anew (Xvfb does), and turn away who comes just then.
+/// start anew (Xvfb does), and turn away who comes just then. From then on a server that goes away, on whatever
+/// connection, ends the program with ExitCode::kTrouble and a line that names it.
 class Display {
  public:
   /// TroubleError if there is no display, with what was tried and with `advice`: what to do without one.
@@ -32,6 +33,19 @@ class Display {
   bool HasEvents(void* connection) const;
   /// Can be read when the server has sent something to `connection`.
   int Descriptor(void* connection) const;
+
+  /// While one of these lives, a crash ends the program as a lost server does. Mesa (22.3) crashes where a server dies
+  /// before it has answered which GLX it has.
+  class Opening {
+   public:
+    Opening();
+    ~Opening();
+    Opening(const Opening&) = delete;
+    Opening& operator=(const Opening&) = delete;
+
+   private:
+    void (*handler_before_)(int);
+  };
 
   /// While one of these lives, a request that the server refuses fails without ending the program, as Xlib would have
   /// it.

@@ -125,6 +125,7 @@ void Window::Open() {
   int count = 1;
   std::array<char, 7> program = {"sphlab"};
   std::array<char*, 2> arguments = {program.data(), nullptr};
+  const Display::Opening opening;
   glut_.InitErrorFunc(&RefuseGlutError);
   glut_.Init(&count, arguments.data());
   glut_.SetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
