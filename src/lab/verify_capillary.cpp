@@ -26,9 +26,10 @@ std::vector<Verdict> MeasureCapillaryDrop(ParticleSystemSPH& system) {
     const double now = moments.x - moments.y;
     if (before * now < 0) crossings.push_back(then + (system.Time() - then) * before / (before - now));
     before = now;
+    if (crossings.size() < 2) continue;
     const std::vector<double> pressures = system.Pressure();
     for (std::size_t i = 0; i < p.Size(); ++i) {
-      if (crossings.size() < 2 || Length(p.Position(i)) > 0.5 * radius) continue;
+      if (Length(p.Position(i)) > 0.5 * radius) continue;
       pressure += pressures[i];
       ++samples;
     }
