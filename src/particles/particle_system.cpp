@@ -72,12 +72,15 @@ void ParticleSystem::InitialPositions() {
     for (std::size_t i = 0; i < particles_.Size(); ++i) particles_.id[i] = static_cast<std::uint32_t>(i);
     return;
   }
+  particles_.Reserve(parameters.start.size());
   for (const StartingParticle& particle : parameters.start) {
     particles_.Add(particle.position, parameters.fluid.velocity, particle.mass);
   }
   if (!parameters.start.empty()) return;
   Random random(parameters.seed);
-  for (const Vec2 place : Place(parameters.fluid, random)) {
+  const std::vector<Vec2> places = Place(parameters.fluid, random);
+  particles_.Reserve(places.size());
+  for (const Vec2 place : places) {
     particles_.Add(place, parameters.fluid.velocity, parameters.particle_mass);
   }
 }

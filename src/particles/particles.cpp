@@ -16,6 +16,11 @@ void Gather(std::vector<T>& values, std::span<const std::uint32_t> order, std::v
 
 }  // namespace
 
+void Particles::Reserve(std::size_t n) {
+  for (auto* component : {&x, &y, &vx, &vy, &vx_prev, &vy_prev, &ax, &ay, &mass}) component->reserve(n);
+  id.reserve(n);
+}
+
 void Particles::Add(Vec2 position, Vec2 velocity, double particle_mass) {
   id.push_back(static_cast<std::uint32_t>(Size()));
   x.push_back(position.x);

@@ -24,6 +24,8 @@ struct Particles {
   Vec2 Position(std::size_t i) const { return {x[i], y[i]}; }
   Vec2 Velocity(std::size_t i) const { return {vx[i], vy[i]}; }
 
+  /// Makes room for n particles, and no more.
+  void Reserve(std::size_t n);
   /// Appends a particle whose half-step velocity equals its velocity and whose acceleration is 0.
   void Add(Vec2 position, Vec2 velocity, double particle_mass);
   void Clear();

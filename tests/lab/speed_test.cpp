@@ -128,6 +128,15 @@ TEST(MeasureSpeed, FillsEveryField) {
   }
 }
 
+TEST(MeasureSpeed, AParticleTakesAtMostTwoHundredBytes) {
+  for (const Flow flow : {Flow::kTank, Flow::kCollapse}) {
+    for (const SpeedResult& r :
+         MeasureSpeed({flow, 10'000, Precision::kFloat, AvailableInstructionSets().back(), {1}, 1e4}, Rates())) {
+      EXPECT_LT(r.bytes, 200);
+    }
+  }
+}
+
 TEST(MeasureSpeed, HasTheErrorsOfItsPrecision) {
   for (const SpeedResult& r : TinyResults()) {
     const bool in_float = r.precision == Precision::kFloat;

@@ -38,6 +38,15 @@ TEST(Particles, AddedOnesAreAtRestSinceHalfAStepAndNumberedInTurn) {
   EXPECT_EQ(p.mass[1], 10);
 }
 
+TEST(Particles, TakeNoMoreRoomThanWasReserved) {
+  Particles p;
+  p.Reserve(1000);
+  const std::size_t reserved = p.Bytes();
+  EXPECT_EQ(reserved, 1000 * (9 * sizeof(double) + sizeof(std::uint32_t)));
+  for (int i = 0; i < 1000; ++i) p.Add({}, {}, 1);
+  EXPECT_EQ(p.Bytes(), reserved);
+}
+
 RC_GTEST_PROP(Particles, ReorderMovesEveryParticleWhole, ()) {
   const auto keys = *rc::gen::container<std::vector<int>>(rc::gen::arbitrary<int>());
   std::vector<std::uint32_t> order(keys.size());
