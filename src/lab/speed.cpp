@@ -39,18 +39,24 @@ struct Measurement {
   std::map<std::string, double, std::less<>> phases = {};  // [s], of the fastest repetition, of a particle and step
 };
 
-/// At least `steps` steps, and on until lists were just made: as they were before the first step, so that every
-/// repetition has whole lives of lists.
-void Repeat(ParticleSystemSPH& system, long steps, Measurement& measurement) {
+/// At least `steps` steps, and on until lists were just made. Returns how many.
+long StepToNewLists(ParticleSystemSPH& system, long steps) {
   constexpr long kMostMore = 50;
-  const auto before = system.Phases().Seconds();
-  const Stopwatch watch;
   long done = 0;
   for (bool made = false; done < steps || (!made && done < steps + kMostMore); ++done) {
     const long lists = system.Neighbours().ListsMade();
     system.Step();
     made = system.Neighbours().ListsMade() != lists;
   }
+  return done;
+}
+
+/// Whole lives of lists, at least `steps` steps. One more goes before them: another number of threads has other caches.
+void Repeat(ParticleSystemSPH& system, long steps, Measurement& measurement) {
+  StepToNewLists(system, 1);
+  const auto before = system.Phases().Seconds();
+  const Stopwatch watch;
+  const long done = StepToNewLists(system, steps);
   const double particle_steps = static_cast<double>(done) * static_cast<double>(system.State().Size());
   const double seconds = watch.Seconds() / particle_steps;
   measurement.steps += done;

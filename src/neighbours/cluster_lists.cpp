@@ -110,7 +110,7 @@ void ListBlock::Take(std::span<const std::uint32_t> found) {
   const std::size_t room = found.size() + kPadding;
   if (numbers.capacity() < room) {
     numbers = {};  // first, so that old and new never are there together
-    numbers.reserve(room + room / 8);
+    numbers.reserve(room + room / 16);
   }
   numbers.assign(found.begin(), found.end());
   numbers.resize(room);

@@ -28,7 +28,7 @@ struct ListBlock {
   }
   /// The lists of particles and images that are fewer than `end`; not the hints, which only save time.
   void Transfer(Archive& archive, std::size_t end);
-  /// Overwrites `numbers`; where they outgrow their room, with an eighth to spare.
+  /// Overwrites `numbers`; where they outgrow their room, with a sixteenth to spare.
   void Take(std::span<const std::uint32_t> found);
 };
 
