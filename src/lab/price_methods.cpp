@@ -49,7 +49,7 @@ bool TooShort(const Scene& scene) {
 
 /// The case's scene for a solver that is not the case's own.
 Scene SceneFor(const Solver& solver, const Scene& own, const SceneRequest& request) {
-  const bool mirrors = own.base.wall.kind == WallKind::kMirror && !solver.mirrors;
+  const bool mirrors = own.base.wall.SeenByFluid() && !solver.mirrors;
   SceneRequest as_filed;
   as_filed.scene = request.scene;
   const bool at_home = LoadScene(as_filed).solver == solver.name;

@@ -204,7 +204,7 @@ void SwitchSolver(Victim& victim) {
     const Scene before = scene;
     halve(scene, scene.solver == "mueller", std::string(solver) == "mueller");
     scene.solver = solver;
-    if (scene.base.wall.kind == WallKind::kMirror && scene.solver != "delta") scene.base.wall.kind = WallKind::kReflect;
+    if (scene.base.wall.SeenByFluid() && scene.solver != "delta") scene.base.wall.kind = WallKind::kReflect;
     try {
       victim.StartAgainWith([](GivenStart&) {});
     } catch (const UsageError&) {

@@ -65,6 +65,8 @@ std::span<const VerificationCase> AllVerificationCases() {
                        &MeasureEllipticDrop, &kEllipticDrop},
       VerificationCase{"still-water", "a tank at rest, H/dx = 45", false, Named("still-water"), &MeasureStillWater,
                        &kStillWater},
+      VerificationCase{"wall-particles", "the same tank, with particles behind its walls in place of mirrors", false,
+                       Named("still-water", {"walls.kind=particles"}), &MeasureStillWater, nullptr, false},
       VerificationCase{"poiseuille", "flow between plates from start-up on, 60 across", true, Named("poiseuille"),
                        &MeasurePoiseuille, &kPoiseuille},
       VerificationCase{"couette", "a plate that drags a fluid along, from start-up on, 60 across", true,

@@ -29,7 +29,7 @@ HWY_INLINE auto Offset(hn::ScalableTag<double> d, const double* x, double centre
 }
 
 template <typename Real>
-void Find(const ClusterSet& particles, const ClusterSet& images, const Positions<Real>& positions, double support,
+void Find(const ClusterSet& own, const ClusterSets& others, const Positions<Real>& positions, double support,
           double reach, ListBlock& block) {
   const hn::ScalableTag<Real> d;
   const hn::Rebind<std::uint32_t, decltype(d)> du;
@@ -44,7 +44,7 @@ void Find(const ClusterSet& particles, const ClusterSet& images, const Positions
   block.coarse = true;
   block.begin.assign(block.last - block.first + 1, 0);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
-    const Box& box = particles.boxes->Of(k);
+    const Box& box = own.boxes->Of(k);
     const Box around{box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach};
     const auto x = Positions<Real>::ToCoordinate(box.Centre().x, per_unit);
     const auto y = Positions<Real>::ToCoordinate(box.Centre().y, per_unit);
@@ -61,12 +61,11 @@ void Find(const ClusterSet& particles, const ClusterSet& images, const Positions
       found += static_cast<std::uint32_t>(
           hn::CompressStore(hn::Iota(du, first), hn::LoadMaskBits(du, bits), du, numbers.data() + found));
     };
-    particles.boxes->FindCells(around, block.hints, [&](std::size_t near) {
-      add_near(particles.clusters[near], particles.clusters[near].first);
-    });
-    if (!images.clusters.empty()) {
-      images.boxes->FindCells(around, block.image_hints, [&](std::size_t near) {
-        add_near(images.clusters[near], images.first + images.clusters[near].first);
+    for (std::size_t set = 0; set < others.size(); ++set) {
+      const ClusterSet& other = others[set];
+      if (other.clusters.empty()) continue;
+      other.boxes->FindCells(around, block.hints[set], [&](std::size_t near) {
+        add_near(other.clusters[near], other.first + other.clusters[near].first);
       });
     }
     block.begin[k - block.first + 1] = found;
@@ -79,13 +78,13 @@ void Find(const ClusterSet& particles, const ClusterSet& images, const Positions
 int FloatLanes() { return static_cast<int>(hn::Lanes(hn::ScalableTag<float>())); }
 int DoubleLanes() { return static_cast<int>(hn::Lanes(hn::ScalableTag<double>())); }
 
-void FindFloat(const ClusterSet& particles, const ClusterSet& images, const Positions<float>& positions, double support,
+void FindFloat(const ClusterSet& own, const ClusterSets& others, const Positions<float>& positions, double support,
                double reach, ListBlock& block) {
-  Find<float>(particles, images, positions, support, reach, block);
+  Find<float>(own, others, positions, support, reach, block);
 }
-void FindDouble(const ClusterSet& particles, const ClusterSet& images, const Positions<double>& positions,
-                double support, double reach, ListBlock& block) {
-  Find<double>(particles, images, positions, support, reach, block);
+void FindDouble(const ClusterSet& own, const ClusterSets& others, const Positions<double>& positions, double support,
+                double reach, ListBlock& block) {
+  Find<double>(own, others, positions, support, reach, block);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -98,8 +97,7 @@ namespace sph {
 void ListBlock::Transfer(Archive& archive, std::size_t end) {
   archive(first, last, coarse, begin, numbers);
   if (!archive.Reading()) return;
-  hints.clear();
-  image_hints.clear();
+  for (auto& of_set : hints) of_set.clear();
   Archive::Require(last >= first && begin.size() == std::size_t{last - first} + 1 && begin.front() == 0);
   for (std::size_t k = 1; k < begin.size(); ++k) Archive::Require(begin[k - 1] <= begin[k]);
   Archive::Require(numbers.size() >= begin.back() + kPadding);
@@ -131,14 +129,14 @@ int Lanes<double>() {
 }
 
 template <>
-void FindNeighbours<float>(const ClusterSet& particles, const ClusterSet& images, const Positions<float>& positions,
+void FindNeighbours<float>(const ClusterSet& own, const ClusterSets& others, const Positions<float>& positions,
                            double support, double reach, ListBlock& block) {
-  HWY_DYNAMIC_DISPATCH(FindFloat)(particles, images, positions, support, reach, block);
+  HWY_DYNAMIC_DISPATCH(FindFloat)(own, others, positions, support, reach, block);
 }
 template <>
-void FindNeighbours<double>(const ClusterSet& particles, const ClusterSet& images, const Positions<double>& positions,
+void FindNeighbours<double>(const ClusterSet& own, const ClusterSets& others, const Positions<double>& positions,
                             double support, double reach, ListBlock& block) {
-  HWY_DYNAMIC_DISPATCH(FindDouble)(particles, images, positions, support, reach, block);
+  HWY_DYNAMIC_DISPATCH(FindDouble)(own, others, positions, support, reach, block);
 }
 
 }  // namespace sph

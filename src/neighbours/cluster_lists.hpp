@@ -1,6 +1,7 @@
 // Verlet lists of clusters: for each cluster, the particles within reach of its box.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,8 +21,7 @@ struct ListBlock {
                                        // all distances anyway, keeps what is within reach of one of its particles
   std::vector<std::uint32_t> begin;    // [clusters + 1]
   std::vector<std::uint32_t> numbers;  // room for kPadding more than are valid
-  std::vector<std::uint32_t> hints;    // of ClusterBoxes::FindCells
-  std::vector<std::uint32_t> image_hints;
+  std::array<std::vector<std::uint32_t>, 3> hints;  // of ClusterBoxes::FindCells: of particles, images, wall particles
 
   std::span<const std::uint32_t> Of(std::uint32_t cluster) const {
     return {numbers.data() + begin[cluster - first], numbers.data() + begin[cluster - first + 1]};
@@ -45,11 +45,14 @@ struct ClusterSet {
   std::uint32_t first = 0;
 };
 
-/// Overwrites the block's lists: every particle whose distance from the cluster's box is below `reach` [m], those of
-/// the cluster included, and perhaps a few at that distance to round-off, and then every image of one. Ascending within
-/// a column of clusters. Allocates only while lists grow.
+/// What a list may hold: particles, images, wall particles.
+using ClusterSets = std::array<ClusterSet, 3>;
+
+/// Overwrites the lists of the block's clusters, which are some of `own`: of every set all whose distance from the
+/// cluster's box is below `reach` [m], and perhaps a few at that distance to round-off, one set after the other.
+/// Ascending within a column of clusters. Allocates only while lists grow.
 template <typename Real>
-void FindNeighbours(const ClusterSet& particles, const ClusterSet& images, const Positions<Real>& positions,
-                    double support, double reach, ListBlock& block);
+void FindNeighbours(const ClusterSet& own, const ClusterSets& others, const Positions<Real>& positions, double support,
+                    double reach, ListBlock& block);
 
 }  // namespace sph

@@ -13,6 +13,11 @@ Vec2 Periods::Wrap(Vec2 point) const {
   return point;
 }
 
+Ends Ends::WithImages() const {
+  if (site_spacing == 0) return *this;
+  return {x.periodic ? x : AxisEnds{}, y.periodic ? y : AxisEnds{}};
+}
+
 namespace {
 
 double Coordinate(const AxisEnds& ends, ImageOf image, double at) {

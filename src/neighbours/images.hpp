@@ -33,7 +33,12 @@ struct AxisEnds {
 };
 struct Ends {
   AxisEnds x, y;
+  /// 0: what is finite and not periodic is a mirror; else particles stand there, about so far apart [m].
+  double site_spacing = 0;
+
   bool Any() const { return !(*this == Ends{}); }
+  /// What has images.
+  Ends WithImages() const;
   friend bool operator==(const Ends&, const Ends&) = default;
 };
 

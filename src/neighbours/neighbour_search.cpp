@@ -47,26 +47,62 @@ void NeighbourSearch::Prepare(std::span<const double> x, std::span<const double>
                               double least_skin) {
   boxes_.Update(order_, x, y, threads_);
   skin_ = std::max(least_skin, keep_lists_ ? BestSkin(support_, travel_per_step) : 0);
-  if (ends_.Any()) FindImages(x, y);
+  if (ends_.Any() || Extras() > 0) FindExtras(x, y);
   travelled_when_made_ = travelled_;
-  const auto clusters = static_cast<std::uint32_t>(order_.Clusters().size());
-  blocks_.resize((clusters + kClustersPerBlock - 1) / kClustersPerBlock);
-  for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
-    blocks_[b].first = b * kClustersPerBlock;
-    blocks_[b].last = std::min(clusters, (b + 1) * kClustersPerBlock);
-    if (just_sorted_) blocks_[b].hints.clear();
-    blocks_[b].image_hints.clear();
+  EmptyBlocks(blocks_, order_.Clusters().size());
+  EmptyBlocks(wall_blocks_, wall_clusters_.order.Clusters().size());
+}
+
+void NeighbourSearch::EmptyBlocks(std::vector<ListBlock>& blocks, std::size_t clusters) const {
+  blocks.resize((clusters + kClustersPerBlock - 1) / kClustersPerBlock);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    blocks[b].first = static_cast<std::uint32_t>(b * kClustersPerBlock);
+    blocks[b].last = static_cast<std::uint32_t>(std::min(clusters, (b + 1) * kClustersPerBlock));
+    for (std::size_t set = just_sorted_ ? 0 : 1; set < blocks[b].hints.size(); ++set) blocks[b].hints[set].clear();
   }
 }
 
-void NeighbourSearch::FindImages(std::span<const double> x, std::span<const double> y) {
-  images_.Find(ends_, Reach(), x, y);
-  images_.Place(ends_, x, y, image_x_, image_y_);
-  image_order_.Sort(image_x_, image_y_, spacing_, support_, lanes_);
-  images_.Reorder(image_order_.Order());
-  images_.Place(ends_, x, y, image_x_, image_y_);
-  image_order_.Cut(image_x_, image_y_, support_, lanes_);
-  image_boxes_.Update(image_order_, image_x_, image_y_);
+template <typename Place, typename Reorder>
+void NeighbourSearch::Arrange(Extra& extra, Place place, Reorder reorder) {
+  place();
+  extra.order.Sort(extra.x, extra.y, spacing_, support_, lanes_);
+  reorder(extra.order.Order());
+  place();
+  extra.order.Cut(extra.x, extra.y, support_, lanes_);
+  extra.boxes.Update(extra.order, extra.x, extra.y);
+}
+
+void NeighbourSearch::FindExtras(std::span<const double> x, std::span<const double> y) {
+  const Ends ends = ends_.WithImages();
+  // The fluid that wall particles near a seam see is beyond it, as far again.
+  images_.Find(ends, ends_.site_spacing > 0 ? 2 * Reach() : Reach(), x, y);
+  Arrange(
+      image_clusters_, [&] { images_.Place(ends, x, y, image_clusters_.x, image_clusters_.y); },
+      [&](std::span<const std::uint32_t> order) { images_.Reorder(order); });
+  wall_sites_.Find(ends_, Reach(), x, y);
+  Arrange(
+      wall_clusters_,
+      [&] {
+        wall_clusters_.x.clear();
+        wall_clusters_.y.clear();
+        wall_sites_.Place(ends_, wall_clusters_.x, wall_clusters_.y);
+      },
+      [&](std::span<const std::uint32_t> order) { wall_sites_.Reorder(order); });
+}
+
+ClusterSets NeighbourSearch::Sets() const {
+  const auto clusters = order_.Clusters();
+  const std::uint32_t particles = clusters.empty() ? 0 : clusters.back().first + clusters.back().count;
+  const auto walls = particles + static_cast<std::uint32_t>(images_.Size());
+  return {ClusterSet{clusters, &boxes_, 0},
+          {image_clusters_.order.Clusters(), &image_clusters_.boxes, particles},
+          {wall_clusters_.order.Clusters(), &wall_clusters_.boxes, walls}};
+}
+
+void NeighbourSearch::PlaceExtras(const Ends& ends, std::span<const double> x, std::span<const double> y,
+                                  std::vector<double>& extra_x, std::vector<double>& extra_y) const {
+  images_.Place(ends.WithImages(), x, y, extra_x, extra_y);
+  wall_sites_.Place(ends, extra_x, extra_y);
 }
 
 void NeighbourSearch::Finish() {
@@ -83,28 +119,39 @@ void NeighbourSearch::Transfer(Archive& archive, std::size_t particles, int lane
   archive(sorted_, just_sorted_, lanes_, spacing_, support_, skin_, travelled_, travelled_when_made_);
   archive(pairs_, pairs_per_area_, pairs_per_area_when_sorted_, lists_made_, sorts_);
   archive(ends_.x.low, ends_.x.high, ends_.x.periodic, ends_.y.low, ends_.y.high, ends_.y.periodic);
+  archive(ends_.site_spacing);
   if (!sorted_) return;
   order_.Transfer(archive, particles);
   images_.Transfer(archive, particles);
-  image_order_.Transfer(archive, images_.Size());
-  std::uint64_t blocks = blocks_.size();
-  archive(blocks);
-  const std::size_t clusters = order_.Clusters().size();
-  Archive::Require(blocks == (clusters + kClustersPerBlock - 1) / kClustersPerBlock);
-  blocks_.resize(blocks);
-  for (std::size_t b = 0; b < blocks; ++b) {
-    blocks_[b].Transfer(archive, particles + images_.Size());
-    Archive::Require(blocks_[b].first == b * kClustersPerBlock);
-    Archive::Require(blocks_[b].last == std::min(clusters, (b + 1) * kClustersPerBlock));
-  }
+  image_clusters_.order.Transfer(archive, images_.Size());
+  wall_sites_.Transfer(archive);
+  wall_clusters_.order.Transfer(archive, wall_sites_.Size());
+  const auto transfer = [&](std::vector<ListBlock>& blocks, std::size_t clusters) {
+    std::uint64_t count = blocks.size();
+    archive(count);
+    Archive::Require(count == (clusters + kClustersPerBlock - 1) / kClustersPerBlock);
+    blocks.resize(count);
+    for (std::size_t b = 0; b < count; ++b) {
+      blocks[b].Transfer(archive, particles + Extras());
+      Archive::Require(blocks[b].first == b * kClustersPerBlock);
+      Archive::Require(blocks[b].last == std::min(clusters, (b + 1) * kClustersPerBlock));
+    }
+  };
+  transfer(blocks_, order_.Clusters().size());
+  transfer(wall_blocks_, wall_clusters_.order.Clusters().size());
   if (lanes_ != lanes) Invalidate();
 }
 
 std::size_t NeighbourSearch::Bytes() const {
-  std::size_t bytes = order_.Bytes() + boxes_.Bytes() + images_.Bytes() + image_order_.Bytes() + image_boxes_.Bytes() +
-                      sizeof(double) * (image_x_.capacity() + image_y_.capacity());
-  for (const ListBlock& block : blocks_) {
-    bytes += sizeof(std::uint32_t) * (block.begin.capacity() + block.numbers.capacity() + block.hints.capacity());
+  std::size_t bytes = order_.Bytes() + boxes_.Bytes() + images_.Bytes() + wall_sites_.Bytes();
+  for (const Extra* extra : {&image_clusters_, &wall_clusters_}) {
+    bytes += extra->order.Bytes() + extra->boxes.Bytes() + 2 * sizeof(double) * extra->x.capacity();
+  }
+  for (const auto* blocks : {&blocks_, &wall_blocks_}) {
+    for (const ListBlock& block : *blocks) {
+      bytes += sizeof(std::uint32_t) * (block.begin.capacity() + block.numbers.capacity());
+      for (const auto& hints : block.hints) bytes += sizeof(std::uint32_t) * hints.capacity();
+    }
   }
   return bytes;
 }

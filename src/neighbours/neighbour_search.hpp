@@ -9,6 +9,7 @@
 #include "neighbours/cluster_lists.hpp"
 #include "neighbours/cluster_order.hpp"
 #include "neighbours/images.hpp"
+#include "neighbours/wall_sites.hpp"
 
 namespace sph {
 
@@ -30,10 +31,16 @@ class NeighbourSearch {
   /// How many threads share the work of Prepare; one unless told.
   void UseThreads(int threads) { threads_ = threads; }
 
-  /// What bounds the particles; nothing unless told. Images are found with the lists.
+  /// What bounds the particles; nothing unless told. Images and wall particles are found with the lists.
   void SetEnds(const Ends& ends) { ends_ = ends; }
   const Ends& CurrentEnds() const { return ends_; }
   const Images& AllImages() const { return images_; }
+  const WallSites& AllWallSites() const { return wall_sites_; }
+  /// How many there are of both; they are numbered after the particles, images first.
+  std::size_t Extras() const { return images_.Size() + wall_sites_.Size(); }
+  /// Where they are with these ends, which may have moved a little [m]; overwritten.
+  void PlaceExtras(const Ends& ends, std::span<const double> x, std::span<const double> y, std::vector<double>& extra_x,
+                   std::vector<double>& extra_y) const;
 
   /// @param travelled  how far a particle may have gone since the start [m]
   /// @param support    reach of the kernel [m]
@@ -46,8 +53,8 @@ class NeighbourSearch {
   /// Second part, with the reordered positions.
   void Cut(std::span<const double> x, std::span<const double> y);
 
-  /// Boxes, skin and empty blocks for the lists; then FindNeighbours is to be called for every block with Reach(), and
-  /// Finish.
+  /// Boxes, skin and empty blocks for the lists; then FindNeighbours is to be called with Reach() for every block,
+  /// those of the wall particles, too, and Finish.
   /// @param travel_per_step  how far the fastest particle goes in a step [m]
   /// @param least_skin  the lists shall reach at least this far beyond the support [m]
   void Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step, double least_skin = 0);
@@ -60,29 +67,38 @@ class NeighbourSearch {
 
   std::span<const Cluster> Clusters() const { return order_.Clusters(); }
   const ClusterBoxes& Boxes() const { return boxes_; }
-  ClusterSet Particles() const { return {order_.Clusters(), &boxes_, 0}; }
-  /// Numbered after the `particles` particles.
-  ClusterSet ImagesAfter(std::size_t particles) const {
-    return {image_order_.Clusters(), &image_boxes_, static_cast<std::uint32_t>(particles)};
-  }
+  /// Particles, images and wall particles.
+  ClusterSets Sets() const;
   std::vector<ListBlock>& Blocks() { return blocks_; }
   std::span<const ListBlock> Blocks() const { return blocks_; }
+  /// The lists of the wall particles.
+  std::vector<ListBlock>& WallBlocks() { return wall_blocks_; }
+  std::span<const ListBlock> WallBlocks() const { return wall_blocks_; }
   double Skin() const { return skin_; }  ///< [m]
   long ListsMade() const { return lists_made_; }
   long Sorts() const { return sorts_; }
   std::size_t Bytes() const;
 
  private:
-  void FindImages(std::span<const double> x, std::span<const double> y);
+  /// Images or wall particles as clusters.
+  struct Extra {
+    std::vector<double> x, y;  // [m]
+    ClusterOrder order;
+    ClusterBoxes boxes;
+  };
+  /// Puts them in order; place() says where they are, reorder(order) changes their order.
+  template <typename Place, typename Reorder>
+  void Arrange(Extra& extra, Place place, Reorder reorder);
+  void FindExtras(std::span<const double> x, std::span<const double> y);
+  void EmptyBlocks(std::vector<ListBlock>& blocks, std::size_t clusters) const;
 
   ClusterOrder order_;
   ClusterBoxes boxes_;
   Ends ends_;
   Images images_;
-  std::vector<double> image_x_, image_y_;
-  ClusterOrder image_order_;
-  ClusterBoxes image_boxes_;
-  std::vector<ListBlock> blocks_;
+  WallSites wall_sites_;
+  Extra image_clusters_, wall_clusters_;
+  std::vector<ListBlock> blocks_, wall_blocks_;
   bool sorted_ = false;
   bool just_sorted_ = false;
   bool keep_lists_ = true;

@@ -22,7 +22,7 @@ struct Wall {
   double velocity = 0;  ///< d(at)/dt [m/s]
   double lowest = 0;    ///< range of `at` [m]; a wall that cannot be moved has lowest = highest = at
   double highest = 0;
-  double slide = 0;  ///< velocity along itself, to the right or upwards [m/s], of a mirror to which the fluid sticks
+  double slide = 0;  ///< velocity along itself, to the right or upwards [m/s], of a wall to which the fluid sticks
 
   bool Vertical() const { return fluid == FluidSide::kLeft || fluid == FluidSide::kRight; }
   /// Unit vector from the wall into the fluid.
@@ -36,6 +36,9 @@ enum class WallKind {
   kPenalty,  ///< pushed back in proportion to its depth, and damped (paper, IV-D)
   kMirror,   ///< the fluid sees itself behind the wall, and particles that get there come to rest on it
   kReflect,  ///< put back on the wall, the normal velocity multiplied by -restitution (tutorial)
+  /// Particles stand behind the wall, with pressures and velocities from the fluid near them [S. Adami, X. Y. Hu & N.
+  /// A. Adams, J. Comput. Phys. 231 (2012) 7057], and particles of the fluid that get there come to rest on it.
+  kParticles,
 };
 
 struct WallParameters {
@@ -43,10 +46,13 @@ struct WallParameters {
   double stiffness = 0;    ///< K [1/s^2]: a = K depth, along the normal
   double damping = 0;      ///< [1/s]: a -= damping (v - v_wall)
   double restitution = 0;  ///< speed after a reflection over the speed before
-  bool no_slip = false;    ///< of a mirror: tangential velocities are turned round in it, too
-  /// Of a mirror along which the fluid slips: the kinematic viscosity [m^2/s] of the turbulent boundary layer that
+  bool no_slip = false;    ///< of walls that the fluid sees: tangential velocities are turned round, too
+  /// Of such walls along which the fluid slips: the kinematic viscosity [m^2/s] of the turbulent boundary layer that
   /// brakes it, too thin to be seen by the particles; 0: there is none.
   double layer_viscosity = 0;
+
+  /// Whether there is something behind the wall for the passes over neighbours.
+  bool SeenByFluid() const { return kind == WallKind::kMirror || kind == WallKind::kParticles; }
 };
 
 /// Depth [m] and speed into the wall [m/s] of a particle relative to it.

@@ -67,15 +67,16 @@ void CheckSettling(const Scene& scene, const std::string& source) {
 /// What only some walls have is refused of others.
 void CheckSlip(const Scene& scene, const std::string& source) {
   const WallParameters& kind = scene.base.wall;
-  const bool mirrors = kind.kind == WallKind::kMirror;
-  if (kind.layer_viscosity > 0 && !(mirrors && !kind.no_slip)) {
-    throw UsageError("{}: walls.layer_viscosity takes walls.kind = 'mirror' and walls.slip = 'free'", source);
+  if (kind.layer_viscosity > 0 && !(kind.SeenByFluid() && !kind.no_slip)) {
+    throw UsageError("{}: walls.layer_viscosity takes walls.kind = 'mirror' or 'particles' and walls.slip = 'free'",
+                     source);
   }
-  if (mirrors && kind.no_slip) return;
+  if (kind.SeenByFluid() && kind.no_slip) return;
   for (const Wall& wall : scene.base.walls) {
     if (wall.slide == 0) continue;
-    throw UsageError("{}: wall '{}' has slide = {} m/s, which takes walls.kind = 'mirror' and walls.slip = 'none'",
-                     source, wall.name, wall.slide);
+    throw UsageError(
+        "{}: wall '{}' has slide = {} m/s, which takes walls.kind = 'mirror' or 'particles' and walls.slip = 'none'",
+        source, wall.name, wall.slide);
   }
 }
 
@@ -93,11 +94,11 @@ void CheckSpacing(const Scene& scene, const std::string& source) {
                    spacing, sites, fluid.particles, spacing * std::sqrt(sites / most));
 }
 
-void CheckMirrors(const Scene& scene, const std::string& source) {
-  if (scene.base.wall.kind != WallKind::kMirror) return;
+void CheckSeenWalls(const Scene& scene, const std::string& source) {
+  if (!scene.base.wall.SeenByFluid()) return;
   if (scene.solver != "delta" || ReferenceDensity(scene.sph.equation_of_state) <= 0) {
-    throw UsageError(
-        "{}: walls.kind = 'mirror' takes solver = 'delta' and a liquid (equation_of_state.tait or ideal_gas)", source);
+    throw UsageError("{}: walls.kind = '{}' takes solver = 'delta' and a liquid (equation_of_state.tait or ideal_gas)",
+                     source, scene.base.wall.kind == WallKind::kMirror ? "mirror" : "particles");
   }
 }
 
@@ -108,9 +109,11 @@ void CheckPeriods(const Scene& scene, const std::string& source) {
     throw UsageError("{}: periodic takes both box = [x0, y0, x1, y1] and directions = \"x\", \"y\" or \"both\"",
                      source);
   }
-  // Lists reach a third beyond the support, or as far as a particle moves in a step, see LongestMove.
+  // Lists reach a third beyond the support, or as far as a particle moves in a step, see LongestMove; and images are
+  // seen from wall particles that are as far beyond a seam.
   const double support = scene.solver == "delta" ? SupportOf(scene.sph.delta.kernel) : CubicSpline<2>::kSupport;
-  const double least = 2 * (4.0 / 3) * support * scene.sph.smoothing_length;
+  const double reaches = scene.base.wall.kind == WallKind::kParticles ? 2 : 1;
+  const double least = 2 * reaches * (4.0 / 3) * support * scene.sph.smoothing_length;
   if ((periods.in_x && periods.box.Width() <= least) || (periods.in_y && periods.box.Height() <= least)) {
     throw UsageError(
         "{}: periodic.box = [{}, {}, {}, {}] is too small: with method.smoothing_length = {} m it takes more than {} m",
@@ -155,7 +158,7 @@ void CheckWhole(const Scene& scene, const std::string& source) {
     throw UsageError("{}: reference = 'static-star' needs forces.star", source);
   }
   CheckPeriods(scene, source);
-  CheckMirrors(scene, source);
+  CheckSeenWalls(scene, source);
   CheckSlip(scene, source);
   CheckControls(scene, source);
 }

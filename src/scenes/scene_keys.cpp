@@ -12,7 +12,7 @@ namespace {
 constexpr std::int64_t kMostParticles = 100'000'000;
 const std::vector<std::string> kArrangements = {"random", "lattice", "jittered", "perturbed", "hexagonal", "relaxed"};
 const std::vector<std::string> kIntegrations = {"leapfrog", "leapfrog-published", "symplectic-euler"};
-const std::vector<std::string> kWallKinds = {"penalty", "mirror", "reflect"};
+const std::vector<std::string> kWallKinds = {"penalty", "mirror", "reflect", "particles"};
 const std::vector<std::string> kSlips = {"free", "none"};
 const std::vector<std::string> kWallScalings = {"derived", "published"};
 const std::vector<std::string> kReferences = {"none", "static-star"};
@@ -211,9 +211,9 @@ std::span<const SceneKey> AllSceneKeys() {
        Number(not_negative, [](S& s) -> double& { return s.base.wall.damping; })},
       {"walls.restitution", "speed after a reflection over speed before", kAny, false,
        Number({0, 1}, [](S& s) -> double& { return s.base.wall.restitution; })},
-      {"walls.slip", "of the fluid along walls that are mirrors", kStart, false,
+      {"walls.slip", "of the fluid along walls of kind mirror or particles", kStart, false,
        [](S& s, const V& v) { s.base.wall.no_slip = v.AsChoice(kSlips) == 1; }},
-      {"walls.layer_viscosity", "kinematic, of a turbulent boundary layer along mirrors with slip [m^2/s]; 0: none", kStart, false,
+      {"walls.layer_viscosity", "kinematic, of a turbulent boundary layer along walls with slip [m^2/s]; 0: none", kStart, false,
        Number(not_negative, [](S& s) -> double& { return s.base.wall.layer_viscosity; })},
       {"walls.scaling", "how stiffness and damping follow --particles", kStart, false,
        Choice(kWallScalings, [](S& s) -> WallScaling& { return s.wall_scaling; })},
@@ -252,7 +252,7 @@ std::span<const WallKey> AllWallKeys() {
          w.lowest = range.x;
          w.highest = range.y;
        }},
-      {"slide", "velocity along itself, to the right or upwards [m/s], of a mirror to which the fluid sticks", false,
+      {"slide", "velocity along itself, to the right or upwards [m/s], of a wall to which the fluid sticks", false,
        [](Scene&, Wall& w, const Value& v) { w.slide = v.AsNumber(Accepted::Any()); }},
   };
   return keys;

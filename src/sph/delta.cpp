@@ -9,6 +9,7 @@ Delta::Delta(const Parameters& base, const ParametersSPH& sph) : ParticleSystemS
   if (sph.precision == Precision::kDouble) {
     arrays_ = Arrays<double>();
     surface_ = SurfaceArrays<double>();
+    wall_values_ = WallValues<double>();
   }
 }
 
@@ -158,6 +159,7 @@ void Delta::AdvanceDensity() {
         CopyVelocitiesToImages(arrays);
         CopyGradientToImages(arrays);
         CopyPressureToImages(arrays);
+        SetWallParticles(fluid, arrays);
         ForEachBlock([&](const ListBlock& block) {
           ComputeDensityRates(InputOf(fluid), WaterOf(arrays), block, arrays.rate.data());
           const auto [first, last] = ParticlesOf(block);
@@ -211,6 +213,11 @@ std::optional<ParticleSystem::Breach> Delta::FindBrokenStart() const {
 }
 
 void Delta::ComputeForces() {
+  ComputeWaterForces();
+  if (HasTension()) AddTension();
+}
+
+void Delta::ComputeWaterForces() {
   const PhaseTimer timer(phases_, "pressure");
   Particles& p = particles_;
   const double rho0 = Rho0();
@@ -235,6 +242,7 @@ void Delta::ComputeForces() {
         CopyToImages(arrays.wholeness);
         CopyVelocitiesToImages(arrays);
         CopyPressureToImages(arrays);
+        SetWallParticles(fluid, arrays);
         const WaterSums<Real> sums{arrays.gradient_x.data(), arrays.gradient_y.data(), arrays.next_wholeness.data(),
                                    arrays.shift_x.data(), arrays.shift_y.data()};
         ForEachBlock([&](ListBlock& block) {
@@ -247,7 +255,6 @@ void Delta::ComputeForces() {
         });
       },
       fluid_, parameters_sph.equation_of_state);
-  if (HasTension()) AddTension();
 }
 
 void Delta::AddTension() {
@@ -257,10 +264,12 @@ void Delta::AddTension() {
       [&]<typename Real>(const FluidArrays<Real>& fluid) {
         const Real* const volume = std::get<Arrays<Real>>(arrays_).volume.data();
         auto& surface = std::get<SurfaceArrays<Real>>(surface_);
-        for (auto* values : surface.All()) values->resize(p.Size() + neighbours_.AllImages().Size() + kPadding);
+        for (auto* values : surface.All()) values->resize(p.Size() + neighbours_.Extras() + kPadding);
         ForEachBlock([&](const ListBlock& block) { ComputeSurface(InputOf(fluid), volume, block, surface); });
         CopyVectorToImages(surface.normal_x, surface.normal_y);
         CopyToImages(surface.weight);
+        const std::size_t walls = p.Size() + neighbours_.AllImages().Size();  // they have no surface
+        std::fill(surface.weight.begin() + static_cast<std::ptrdiff_t>(walls), surface.weight.end(), 0);
         const SurfaceInput<Real> input{parameters_sph.delta.kernel, &surface, volume, fluid.density.data(),
                                        parameters_sph.delta.surface_tension};
         ForEachBlock(
@@ -274,7 +283,7 @@ void Delta::AddTension() {
 /// Werner and H. Wengle, Turbulent Shear Flows 8 (1993) 155, the 1/7 power law].
 void Delta::AddWallFriction(std::size_t first, std::size_t last) {
   const double nu = parameters.wall.layer_viscosity;
-  if (nu == 0 || parameters.wall.kind != WallKind::kMirror || parameters.wall.no_slip) return;
+  if (nu == 0 || !parameters.wall.SeenByFluid() || parameters.wall.no_slip) return;
   Particles& p = particles_;
   const double spacing = InitialSpacing();
   const double layer = std::pow(2 * nu / spacing, 0.25) / spacing;
@@ -321,10 +330,10 @@ std::size_t Delta::Bytes() const {
   const std::size_t own = sizeof(double) * (density_.capacity() + mid_x_.capacity() + mid_y_.capacity());
   return ParticleSystemSPH::Bytes() + own +
          std::visit(
-             []<typename Real>(const Arrays<Real>& arrays, const auto& surface) {
-               return sizeof(Real) * (12 * arrays.volume.capacity() + 5 * surface.weight.capacity());
+             []<typename Real>(const Arrays<Real>& arrays, const auto& surface, const auto& walls) {
+               return sizeof(Real) * (12 * arrays.volume.capacity() + 5 * surface.weight.capacity()) + walls.Bytes();
              },
-             arrays_, surface_);
+             arrays_, surface_, wall_values_);
 }
 
 void Delta::Transfer(Archive& archive) {
@@ -339,7 +348,7 @@ void Delta::Transfer(Archive& archive) {
       arrays_);
   if (!archive.Reading()) return;
   density_in_order_ = true;
-  ResizeArrays(particles_.Size() + neighbours_.AllImages().Size());
+  ResizeArrays(particles_.Size() + neighbours_.Extras());
 }
 
 std::vector<PassPlan> Delta::Plan() const {
@@ -357,6 +366,10 @@ std::vector<PassPlan> Delta::Plan() const {
     }
   }
   const bool shifts = !IsGas() && delta.shifting;
+  if (parameters.wall.kind == WallKind::kParticles) {
+    std::ranges::find(plan, "walls", &PassPlan::name)->reason =
+        fmt::format("particles behind {} walls, in both passes", parameters.walls.size());
+  }
   plan.push_back({"shifting", shifts,
                   shifts    ? "particles go where they lack"
                   : IsGas() ? "a gas fills gaps by itself"

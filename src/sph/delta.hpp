@@ -7,6 +7,7 @@
 #include "sph/delta_passes.hpp"
 #include "sph/particle_system_sph.hpp"
 #include "sph/surface_tension.hpp"
+#include "sph/wall_particles.hpp"
 
 namespace sph {
 
@@ -72,7 +73,12 @@ class Delta : public ParticleSystemSPH {
   /// A vector that a mirror turns round.
   template <typename Real>
   void CopyVectorToImages(std::vector<Real>& x, std::vector<Real>& y) const;
+  /// Of the wall particles, from those of the fluid and its images: see ComputeWallValues. Velocities are turned round
+  /// relative to the wall, those along it only where the fluid sticks to it.
+  template <typename Real>
+  void SetWallParticles(const FluidArrays<Real>& fluid, Arrays<Real>& arrays);
   void ComputeForces();
+  void ComputeWaterForces();
   void AddTension();
   void AddWallFriction(std::size_t first, std::size_t last);
   template <typename Real>
@@ -86,6 +92,7 @@ class Delta : public ParticleSystemSPH {
   std::vector<double> furthest_shift2_;  // [chunks] [m^2]
   std::variant<Arrays<float>, Arrays<double>> arrays_;
   std::variant<SurfaceArrays<float>, SurfaceArrays<double>> surface_;  // empty without tension
+  std::variant<WallValues<float>, WallValues<double>> wall_values_;    // empty without wall particles
 };
 
 }  // namespace sph

@@ -1,4 +1,5 @@
-// What a liquid's images have of their sources: behind a mirror velocities are turned round, and weight goes on.
+// What a liquid's images have of their sources, and wall particles of the fluid: behind a wall velocities are turned
+// round, and weight goes on.
 #include <algorithm>
 
 #include "sph/delta.hpp"
@@ -9,9 +10,9 @@ namespace {
 bool Mirrored(ImageOf image) { return image == ImageOf::kMirrorLow || image == ImageOf::kMirrorHigh; }
 
 /// Velocity of the wall that bounds the fluid on this side [m/s].
-Vec2 WallVelocity(std::span<const Wall> walls, ImageOf image, bool vertical) {
-  const FluidSide side = vertical ? (image == ImageOf::kMirrorLow ? FluidSide::kRight : FluidSide::kLeft)
-                                  : (image == ImageOf::kMirrorLow ? FluidSide::kAbove : FluidSide::kBelow);
+Vec2 WallVelocity(std::span<const Wall> walls, bool low, bool vertical) {
+  const FluidSide side =
+      vertical ? (low ? FluidSide::kRight : FluidSide::kLeft) : (low ? FluidSide::kAbove : FluidSide::kBelow);
   const auto found = std::ranges::find(walls, side, &Wall::fluid);
   if (found == walls.end()) return {};
   return vertical ? Vec2{found->velocity, found->slide} : Vec2{found->slide, found->velocity};
@@ -42,13 +43,13 @@ void Delta::CopyVelocitiesToImages(Arrays<Real>& arrays) const {
     const std::uint32_t i = images.Sources()[k];
     double vx = static_cast<double>(arrays.vx[i]), vy = static_cast<double>(arrays.vy[i]);
     if (const ImageOf image = images.InX()[k]; Mirrored(image)) {
-      const Vec2 wall = WallVelocity(parameters.walls, image, true);
+      const Vec2 wall = WallVelocity(parameters.walls, image == ImageOf::kMirrorLow, true);
       vx = 2 * wall.x - vx;
       vy = along(vy, wall.y, i, depth(ends.x, image, p.x[i]), parameters.gravity.y,
                  static_cast<double>(arrays.gradient_y[i]));
     }
     if (const ImageOf image = images.InY()[k]; Mirrored(image)) {
-      const Vec2 wall = WallVelocity(parameters.walls, image, false);
+      const Vec2 wall = WallVelocity(parameters.walls, image == ImageOf::kMirrorLow, false);
       vy = 2 * wall.y - vy;
       vx = along(vx, wall.x, i, depth(ends.y, image, p.y[i]), parameters.gravity.x,
                  static_cast<double>(arrays.gradient_x[i]));
@@ -104,12 +105,52 @@ void Delta::CopyVectorToImages(std::vector<Real>& x, std::vector<Real>& y) const
   }
 }
 
+template <typename Real>
+void Delta::SetWallParticles(const FluidArrays<Real>& fluid, Arrays<Real>& arrays) {
+  const auto sites = neighbours_.AllWallSites().Sites();
+  if (sites.empty()) return;
+  auto& values = std::get<WallValues<Real>>(wall_values_);
+  values.Resize(sites.size());
+  const ClusterSet walls = neighbours_.Sets()[2];
+  ForEach(neighbours_.WallBlocks(), [&](const ListBlock& block) {
+    ComputeWallValues(InputOf(fluid), WaterOf(arrays), walls, block, parameters.gravity, Sound(), values);
+  });
+  const double rho0 = Rho0(), per_c2 = 1 / (Sound() * Sound());
+  const bool sticks = parameters.wall.no_slip;
+  for (std::size_t k = 0; k < sites.size(); ++k) {
+    const std::size_t j = walls.first + k;
+    const auto [column, row, in_x, in_y] = sites[k];
+    const double density = rho0 + static_cast<double>(values.excess[k]);
+    double vx = static_cast<double>(values.vx[k]), vy = static_cast<double>(values.vy[k]);
+    if (in_x != Beyond::kNone) {
+      const Vec2 wall = WallVelocity(parameters.walls, in_x == Beyond::kLow, true);
+      vx = 2 * wall.x - vx;
+      if (sticks && in_y == Beyond::kNone) vy = 2 * wall.y - vy;
+    }
+    if (in_y != Beyond::kNone) {
+      const Vec2 wall = WallVelocity(parameters.walls, in_y == Beyond::kLow, false);
+      vy = 2 * wall.y - vy;
+      if (sticks && in_x == Beyond::kNone) vx = 2 * wall.x - vx;
+    }
+    arrays.volume[j] = static_cast<Real>(parameters.particle_mass / rho0);  // its part of the lattice
+    arrays.excess[j] = values.excess[k];
+    arrays.pressure[j] = values.pressure[k];
+    arrays.wholeness[j] = values.wholeness[k];
+    arrays.vx[j] = static_cast<Real>(vx);
+    arrays.vy[j] = static_cast<Real>(vy);
+    arrays.gradient_x[j] = static_cast<Real>(density * per_c2 * parameters.gravity.x);
+    arrays.gradient_y[j] = static_cast<Real>(density * per_c2 * parameters.gravity.y);
+  }
+}
+
 template void Delta::CopyVelocitiesToImages(Arrays<float>&) const;
 template void Delta::CopyVelocitiesToImages(Arrays<double>&) const;
 template void Delta::CopyGradientToImages(Arrays<float>&) const;
 template void Delta::CopyGradientToImages(Arrays<double>&) const;
 template void Delta::CopyPressureToImages(Arrays<float>&) const;
 template void Delta::CopyPressureToImages(Arrays<double>&) const;
+template void Delta::SetWallParticles(const FluidArrays<float>&, Arrays<float>&);
+template void Delta::SetWallParticles(const FluidArrays<double>&, Arrays<double>&);
 template void Delta::CopyVectorToImages(std::vector<float>&, std::vector<float>&) const;
 template void Delta::CopyVectorToImages(std::vector<double>&, std::vector<double>&) const;
 

@@ -82,12 +82,13 @@ void ParticleSystemSPH::PrepareGrid() {
         }
         if (task != SearchTask::kNothing) {
           neighbours_.Prepare(p.x, p.y, LastTravel(), LeastSkin());
-          ResizeArrays(p.Size() + neighbours_.AllImages().Size());
+          ResizeArrays(p.Size() + neighbours_.Extras());
           if (!fluid.mass.empty()) CopyToImages(fluid.mass);
         }
         SetPositions(p.x, p.y, ends);
         if (task == SearchTask::kNothing) return;
         ForEachBlock([&](ListBlock& block) { FindCells(block); });
+        FindCellsOfWalls();
         neighbours_.Finish();
       },
       fluid_);
@@ -117,9 +118,10 @@ std::optional<std::pair<std::vector<double>, std::vector<double>>> ParticleSyste
 
 Ends ParticleSystemSPH::EndsBefore(double seconds) const {
   Ends ends;
-  if (parameters.wall.kind == WallKind::kMirror) {
+  if (parameters.wall.SeenByFluid()) {
     const Box legal = LegalRegion(parameters.walls, seconds);
     ends = {{legal.x0, legal.x1}, {legal.y0, legal.y1}};
+    if (parameters.wall.kind == WallKind::kParticles) ends.site_spacing = InitialSpacing();
   }
   const Periods& periods = parameters_sph.periods;
   if (periods.in_x) ends.x = {periods.box.x0, periods.box.x1, true};
@@ -133,8 +135,8 @@ void ParticleSystemSPH::SetPositions(std::span<const double> x, std::span<const 
         ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {
           fluid.positions.Set(x, y, Support(), first, last);
         });
-        neighbours_.AllImages().Place(ends, x, y, image_x_, image_y_);
-        fluid.positions.SetImages(image_x_, image_y_, Support(), x.size());
+        neighbours_.PlaceExtras(ends, x, y, extra_x_, extra_y_);
+        fluid.positions.SetImages(extra_x_, extra_y_, Support(), x.size());
       },
       fluid_);
 }
@@ -142,8 +144,20 @@ void ParticleSystemSPH::SetPositions(std::span<const double> x, std::span<const 
 void ParticleSystemSPH::FindCells(ListBlock& block) {
   std::visit(
       [&]<typename Real>(const FluidArrays<Real>& fluid) {
-        FindNeighbours<Real>(neighbours_.Particles(), neighbours_.ImagesAfter(particles_.Size()), fluid.positions,
-                             Support(), neighbours_.Reach(), block);
+        const ClusterSets sets = neighbours_.Sets();
+        FindNeighbours<Real>(sets[0], sets, fluid.positions, Support(), neighbours_.Reach(), block);
+      },
+      fluid_);
+}
+
+/// What wall particles see: the fluid and its images, not each other.
+void ParticleSystemSPH::FindCellsOfWalls() {
+  std::visit(
+      [&]<typename Real>(const FluidArrays<Real>& fluid) {
+        const ClusterSets sets = neighbours_.Sets();
+        ForEach(neighbours_.WallBlocks(), [&](ListBlock& block) {
+          FindNeighbours<Real>(sets[2], {sets[0], sets[1]}, fluid.positions, Support(), neighbours_.Reach(), block);
+        });
       },
       fluid_);
 }
@@ -251,9 +265,10 @@ double ParticleSystemSPH::FastestSound() const {
 /// No further than the support, or than lists may reach beyond it: no particle may have two images of another there.
 double ParticleSystemSPH::LongestMove() const {
   const Periods& periods = parameters_sph.periods;
+  const double part = parameters.wall.kind == WallKind::kParticles ? 0.25 : 0.5;  // see FindExtras
   double longest = Support();
-  if (periods.in_x) longest = std::min(longest, 0.5 * periods.box.Width() - Support());
-  if (periods.in_y) longest = std::min(longest, 0.5 * periods.box.Height() - Support());
+  if (periods.in_x) longest = std::min(longest, part * periods.box.Width() - Support());
+  if (periods.in_y) longest = std::min(longest, part * periods.box.Height() - Support());
   constexpr double kForShifts = 0.9;
   return longest < Support() ? kForShifts * longest : longest;
 }
@@ -283,8 +298,8 @@ std::vector<StepLimit> ParticleSystemSPH::StepLimits() const {
 double ParticleSystemSPH::MeanNeighbours() const {
   const Particles& p = particles_;
   const double support2 = Support() * Support();
-  std::vector<double> x, y;  // of the images
-  neighbours_.AllImages().Place(neighbours_.CurrentEnds(), p.x, p.y, x, y);
+  std::vector<double> x, y;  // of images and wall particles
+  neighbours_.PlaceExtras(neighbours_.CurrentEnds(), p.x, p.y, x, y);
   const auto position = [&](std::size_t j) {
     return j < p.Size() ? p.Position(j) : Vec2{x[j - p.Size()], y[j - p.Size()]};
   };
@@ -319,7 +334,7 @@ void ParticleSystemSPH::Transfer(Archive& archive) {
         archive(fluid.mass, fluid.density);  // who looks before the next step sees the density of the last
         if (!archive.Reading()) return;
         Archive::Require(fluid.mass.empty() || fluid.mass.size() >= particles_.Size());
-        ResizeArrays(particles_.Size() + neighbours_.AllImages().Size());
+        ResizeArrays(particles_.Size() + neighbours_.Extras());
       },
       fluid_);
 }

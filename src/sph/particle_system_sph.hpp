@@ -104,15 +104,17 @@ class ParticleSystemSPH : public ParticleSystem {
   /// Finds the clusters around each of the block's, and of their particles those within reach: the neighbour store's
   /// lists.
   void FindCells(ListBlock& block);
+  void FindCellsOfWalls();
   /// The greatest stable c dt/h of leapfrog on lattices of this solver's fluid.
   virtual double StableSoundStep() const;
   /// How far beyond the support the lists shall reach at least [m].
   virtual double LeastSkin() const { return 0; }
-  /// Makes room in the arrays of the passes for n particles, images included, and the padding.
+  /// Makes room in the arrays of the passes for n particles, images and wall particles included, and the padding.
   virtual void ResizeArrays(std::size_t n);
-  /// Periodic ends, and walls that are mirrors, where they were so long ago [s].
+  /// Periodic ends, and walls that the fluid sees, where they were so long ago [s].
   Ends EndsBefore(double seconds) const;
-  /// Positions [m] that the passes shall see; those of the images follow from them and the ends of that time.
+  /// Positions [m] that the passes shall see; those of images and wall particles follow from them and the ends of that
+  /// time.
   void SetPositions(std::span<const double> x, std::span<const double> y, const Ends& ends);
   /// Values of the images, behind those of the particles.
   template <typename Real>
@@ -122,9 +124,13 @@ class ParticleSystemSPH : public ParticleSystem {
   /// What else a derived solver reads in its interaction, of the particles first ... last - 1, once their density is
   /// known.
   virtual void PrepareInteraction(std::size_t first, std::size_t last);
-  /// Calls work(block) for every block of lists, on all threads.
+  /// Calls work(block) for every block of lists, on all threads: those of the particles, or others.
   template <typename Work>
-  void ForEachBlock(Work work);
+  void ForEachBlock(Work work) {
+    ForEach(neighbours_.Blocks(), work);
+  }
+  template <typename Work>
+  void ForEach(std::vector<ListBlock>& blocks, Work work);
   /// Completes what neighbours read once PrepareInteraction is done for all: the images' values.
   virtual void PrepareImages();
   /// The particles of a block: first ... last - 1.
@@ -139,15 +145,14 @@ class ParticleSystemSPH : public ParticleSystem {
   double FastestSound() const;  // [m/s]
   void WrapPositions();
 
-  std::vector<double> image_x_, image_y_;  // [m]
+  std::vector<double> extra_x_, extra_y_;  // of images and wall particles [m]
 
   ParametersSPH initial_parameters_sph_;
 };
 
 template <typename Work>
-void ParticleSystemSPH::ForEachBlock(Work work) {
+void ParticleSystemSPH::ForEach(std::vector<ListBlock>& blocks, Work work) {
   constexpr std::size_t kBlocksOfOneThread = 3;  // waking the others costs more than so little work
-  std::vector<ListBlock>& blocks = neighbours_.Blocks();
   ShareOut(blocks.size(), blocks.size() > kBlocksOfOneThread ? ThreadCount() : 1,
            [&](std::size_t block) { work(blocks[block]); });
 }

@@ -59,6 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Saved{"MuellerPublished", {"mueller-published"}},
                     Saved{"DeltaGas", {"breathing-star", "--particles", "600"}},
                     Saved{"DeltaWithMirrors", {"still-water", "--particles", "500"}},
+                    Saved{"DeltaWithWallParticles",
+                          {"poiseuille", "--particles", "1500", "--set", "walls.kind=particles"}},
                     Saved{"DeltaInFloat", {"water-column", "--particles", "800", "--precision", "float"}},
                     Saved{"DeltaPeriodic", {"taylor-green", "--particles", "400"}},
                     Saved{"DeltaNoSlip", {"poiseuille", "--particles", "400"}},

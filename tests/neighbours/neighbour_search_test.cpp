@@ -32,7 +32,7 @@ struct Found {
     positions.Set(x, y, kSupport, 0, x.size());
     search.Prepare(x, y, travel_per_step);
     for (ListBlock& block : search.Blocks()) {
-      FindNeighbours<Real>(search.Particles(), {}, positions, kSupport, search.Reach(), block);
+      FindNeighbours<Real>(search.Sets()[0], search.Sets(), positions, kSupport, search.Reach(), block);
     }
     search.Finish();
   }

@@ -38,6 +38,17 @@ void ExpectSameBits(const std::vector<std::string>& scenes, std::size_t particle
 // 1600 particles are seven blocks: enough for work to be shared out.
 TEST(Determinism, EverySceneGivesTheSameBitsWithAnyNumberOfThreads) { ExpectSameBits(SceneNames(), 1600, 50); }
 
+// 40 000 particles in a tank have more than three blocks of wall particles: enough for work to be shared out.
+TEST(Determinism, WallParticlesGiveTheSameBitsWithAnyNumberOfThreads) {
+  const auto hash = [](int threads) {
+    SceneRequest request = Request("still-water", 40'000, threads);
+    request.settings = {"walls.kind=particles"};
+    return HashAfter(5, request);
+  };
+  const std::uint64_t one = hash(1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(hash(threads), one) << threads << " threads";
+}
+
 // What ThreadSanitizer runs, under which all scenes take ten minutes: one scene a solver, and one with images.
 TEST(Determinism, EverySolverGivesTheSameBitsWithTwoThreads) {
   ExpectSameBits({"toy-star", "mueller", "water-column", "taylor-green"}, 1600, 10, {2});

@@ -67,6 +67,13 @@ TEST(SceneChecks, RefuseASlidingWallToWhichNothingSticks) {
   EXPECT_TRUE(Has(Refusal(kScene, {"wall.floor.slide=2"}), {"FILE", "'floor'", "slide = 2", "walls.kind = 'mirror'"}));
   EXPECT_TRUE(Has(Refusal(kScene, mirrors), {"walls.slip = 'none'"}));
   EXPECT_EQ(Refusal(kScene, {mirrors[0], mirrors[1], "walls.slip=none", mirrors[2]}), "accepted");
+  EXPECT_EQ(Refusal(kScene, {mirrors[0], "walls.kind=particles", "walls.slip=none", mirrors[2]}), "accepted");
+}
+
+TEST(SceneChecks, RefuseWallsThatTheSolverDoesNotSee) {
+  for (const std::string kind : {"mirror", "particles"}) {
+    EXPECT_TRUE(Has(Refusal(kScene, {"walls.kind=" + kind}), {"FILE", "'" + kind + "'", "solver = 'delta'"}));
+  }
 }
 
 TEST(SceneChecks, RefuseABoundaryLayerWhereNothingSlipsAlongAMirror) {

@@ -88,7 +88,8 @@ Neighbourhood<Real> FindNeighbours(const Cloud& cloud, double support) {
   found.positions.Set(sorted.x, sorted.y, support, 0, sorted.Size());
   found.search.Prepare(sorted.x, sorted.y, 0);
   for (ListBlock& block : found.search.Blocks()) {
-    FindNeighbours<Real>(found.search.Particles(), {}, found.positions, support, found.search.Reach(), block);
+    FindNeighbours<Real>(found.search.Sets()[0], found.search.Sets(), found.positions, support, found.search.Reach(),
+                         block);
   }
   found.search.Finish();
   found.mass.assign(sorted.mass.begin(), sorted.mass.end());

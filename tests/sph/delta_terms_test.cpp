@@ -16,38 +16,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// A liquid whose particles a test sets in motion, and can turn round.
-class GivenLiquid : public Delta {
- public:
-  GivenLiquid(const Parameters& base, const ParametersSPH& sph, std::function<Vec2(Vec2)> velocity)
-      : Delta(base, sph), velocity_(std::move(velocity)) {
-    Reset();
-  }
-  /// See GivenSystem::TurnRound.
-  void TurnRound() {
-    ComputeAccelerations();
-    Particles& p = particles_;
-    for (std::size_t i = 0; i < p.Size(); ++i) {
-      p.vx_prev[i] = p.vx[i] = -(p.vx_prev[i] + parameters.time_step * p.ax[i]);
-      p.vy_prev[i] = p.vy[i] = -(p.vy_prev[i] + parameters.time_step * p.ay[i]);
-    }
-  }
-
- protected:
-  void InitialPositions() override {
-    Delta::InitialPositions();
-    Particles& p = particles_;
-    for (std::size_t i = 0; i < p.Size(); ++i) {
-      const Vec2 v = velocity_(p.Position(i));
-      p.vx[i] = p.vx_prev[i] = v.x;
-      p.vy[i] = p.vy_prev[i] = v.y;
-    }
-  }
-
- private:
-  std::function<Vec2(Vec2)> velocity_;
-};
-
 constexpr int kAcross = 32;
 constexpr double kSound = 10;  // [m/s]
 const Box kTile{0, 0, 1, 1};   // [m]

@@ -1,11 +1,14 @@
-// The paper's system with particles that a test chooses one by one, and can turn round.
+// Systems whose start a test chooses, and that it can turn round.
 #pragma once
 
+#include <functional>
+
 #include "sph/clouds.hpp"
-#include "sph/particle_system_sph.hpp"
+#include "sph/delta.hpp"
 
 namespace sph {
 
+/// The paper's system with particles given one by one.
 class GivenSystem : public ParticleSystemSPH {
  public:
   GivenSystem(const Parameters& base, const ParametersSPH& sph, Cloud start)
@@ -33,6 +36,38 @@ class GivenSystem : public ParticleSystemSPH {
 
  private:
   Cloud start_;
+};
+
+/// A liquid whose particles a test sets in motion, and can turn round.
+class GivenLiquid : public Delta {
+ public:
+  GivenLiquid(const Parameters& base, const ParametersSPH& sph, std::function<Vec2(Vec2)> velocity)
+      : Delta(base, sph), velocity_(std::move(velocity)) {
+    Reset();
+  }
+  /// See GivenSystem::TurnRound.
+  void TurnRound() {
+    ComputeAccelerations();
+    Particles& p = particles_;
+    for (std::size_t i = 0; i < p.Size(); ++i) {
+      p.vx_prev[i] = p.vx[i] = -(p.vx_prev[i] + parameters.time_step * p.ax[i]);
+      p.vy_prev[i] = p.vy[i] = -(p.vy_prev[i] + parameters.time_step * p.ay[i]);
+    }
+  }
+
+ protected:
+  void InitialPositions() override {
+    Delta::InitialPositions();
+    Particles& p = particles_;
+    for (std::size_t i = 0; i < p.Size(); ++i) {
+      const Vec2 v = velocity_(p.Position(i));
+      p.vx[i] = p.vx_prev[i] = v.x;
+      p.vy[i] = p.vy_prev[i] = v.y;
+    }
+  }
+
+ private:
+  std::function<Vec2(Vec2)> velocity_;
 };
 
 /// The particles of a system at its current time, as a cloud.
