@@ -9,7 +9,9 @@
 #include "base/error.hpp"
 #include "base/random.hpp"
 #include "scenes/catalogue.hpp"
+#include "scenes/request.hpp"
 #include "scenes/scene_keys.hpp"
+#include "sph/solvers.hpp"
 
 namespace sph {
 namespace {
@@ -66,6 +68,7 @@ struct KnownKey {
   bool required = false;
   bool negative = false;  ///< takes negative numbers
   bool large = false;     ///< takes numbers above 1
+  const SceneKey* key = nullptr;
 };
 
 const std::vector<KnownKey>& KnownKeys() {
@@ -73,7 +76,7 @@ const std::vector<KnownKey>& KnownKeys() {
     std::vector<KnownKey> all;
     for (const SceneKey& key : AllSceneKeys()) {
       all.push_back({key.name, KindOf(key), ChoicesOf(key), key.required, Takes(key, toml::value<double>(-0.5)),
-                     Takes(key, toml::value<double>(1.5))});
+                     Takes(key, toml::value<double>(1.5)), &key});
     }
     return all;
   }();
@@ -162,6 +165,11 @@ std::string ControlOf(Dice& dice) {
   return fmt::format("[[key]]\npress = \"d\"\ndo = [ {} ]\n", action);
 }
 
+/// Whether a solver refuses the key; now and then it is to do so.
+bool Useless(const KnownKey& key, const std::string& solver, Dice& dice) {
+  return !key.key->UsedBy(solver) && dice.Chance(0.95);
+}
+
 /// Sizes that go together, so that not every scene blows up at once.
 std::string SoundKeys(Dice& dice, std::size_t particles) {
   const double width = dice.Uniform(0.2, 1), height = dice.Uniform(0.2, 1);
@@ -186,8 +194,12 @@ std::string FromNothing(Dice& dice) {
   const std::vector<std::string> set = {"title", "fluid.particles", "fluid.mass", "method.smoothing_length",
                                         "method.time_step"};
   if (sound) text += SoundKeys(dice, particles);
+  const auto solvers = AllSolvers();
+  const std::string& solver = solvers[dice.Below(solvers.size())].name;
+  text += fmt::format("solver = \"{}\"\n", solver);
   std::vector<std::string> groups;  // one of each
   for (const KnownKey& key : KnownKeys()) {
+    if (key.name == "solver" || Useless(key, solver, dice)) continue;
     const bool is_set = std::ranges::find(set, key.name) != set.end();
     if (sound ? is_set || InGroup(key.name) : key.name == "title" || key.name == "fluid.particles") continue;
     if (key.name.starts_with("forces.star.") || key.name.starts_with("periodic.")) continue;  // in pairs, below
@@ -207,12 +219,13 @@ std::string FromNothing(Dice& dice) {
   return text;
 }
 
-std::vector<std::string> Settings(Dice& dice) {
+std::vector<std::string> Settings(const std::string& solver, Dice& dice) {
   std::vector<std::string> settings;
   const std::size_t count = 1 + dice.Below(6);
   for (std::size_t k = 0; k < count; ++k) {
     const KnownKey& key = dice.OneOf(KnownKeys());
     if (InGroup(key.name) && dice.Chance(0.8)) continue;  // which mostly contradicts what the scene has
+    if (Useless(key, solver, dice)) continue;
     settings.push_back(key.name + "=" + ValueOf(key, dice));
   }
   return settings;
@@ -225,7 +238,9 @@ RandomScene MakeRandomScene(std::uint64_t seed) {
   RandomScene scene;
   if (dice.Chance(0.5)) {
     scene.base = dice.OneOf(SceneNames());
-    scene.settings = Settings(dice);
+    SceneRequest request;
+    request.scene = scene.base;
+    scene.settings = Settings(LoadScene(request).solver, dice);
   } else {
     scene.text = FromNothing(dice);
   }

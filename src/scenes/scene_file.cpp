@@ -1,5 +1,7 @@
 #include "scenes/scene_file.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -84,6 +86,16 @@ class SceneReader {
       }
     }
     for (const std::string group : {"equation_of_state.", "fluid.region."}) CheckOneOf(group);
+  }
+
+  /// UsageError naming a key that was given and that the scene's solver does not use.
+  void CheckUsed() const {
+    for (const auto& [path, place] : given_) {
+      const SceneKey& key = *FindSceneKey(path);
+      if (key.UsedBy(scene_.solver)) continue;
+      throw UsageError("{}: {} is for solver {}, and solver '{}' does not use it", place, path,
+                       fmt::join(key.solvers, " or "), scene_.solver);
+    }
   }
 
  private:
@@ -228,7 +240,10 @@ Scene ParseScene(const std::string& text, const std::string& source, std::span<c
                      error.description());
   }
   reader.CheckComplete();
-  for (const std::string& setting : settings) SceneReader(scene, "--set").Read(ParseSetting(setting));
+  reader.CheckUsed();
+  SceneReader setter(scene, "--set");
+  for (const std::string& setting : settings) setter.Read(ParseSetting(setting));
+  setter.CheckUsed();  // by the solver that may be among them
   CheckWhole(scene, source);
   return scene;
 }

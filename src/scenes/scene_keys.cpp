@@ -21,6 +21,7 @@ const std::vector<std::string> kPrecisions = {"float", "double"};
 const std::vector<std::string> kKernels = {"wendland-c2", "wendland-c4", "quintic"};
 const std::vector<std::string> kViscousForms = {"laplacian", "stress"};
 const std::vector<std::string> kMasses = {"equal", "graded"};
+const std::vector<std::string> kDelta = {"delta"};  // of solvers
 const std::vector<std::string> kSwitch = {"off", "on"};
 const std::vector<std::string> kDirections = {"x", "y", "both"};
 const std::vector<std::string> kForms = {"right", "published"};
@@ -149,23 +150,23 @@ std::span<const SceneKey> AllSceneKeys() {
       {"method.integration", "how velocities and positions advance", kStart, false,
        Choice(kIntegrations, [](S& s) -> Integration& { return s.base.integration; })},
       {"method.kernel", "solver delta", kStart, false,
-       Choice(kKernels, [](S& s) -> SmoothingKernel& { return s.sph.delta.kernel; })},
+       Choice(kKernels, [](S& s) -> SmoothingKernel& { return s.sph.delta.kernel; }), kDelta},
       {"method.diffusion", "delta of density diffusion; solver delta, liquids", kAny, false,
-       Number({0, 1}, [](S& s) -> double& { return s.sph.delta.diffusion; })},
+       Number({0, 1}, [](S& s) -> double& { return s.sph.delta.diffusion; }), kDelta},
       {"method.artificial_viscosity", "alpha; solver delta, liquids", kAny, false,
-       Number({0, 1}, [](S& s) -> double& { return s.sph.delta.artificial_viscosity; })},
+       Number({0, 1}, [](S& s) -> double& { return s.sph.delta.artificial_viscosity; }), kDelta},
       {"method.sound_damping", "alpha of a bulk viscosity alpha h c rho0; solver delta, liquids", kAny, false,
-       Number({0, 1}, [](S& s) -> double& { return s.sph.delta.sound_damping; })},
+       Number({0, 1}, [](S& s) -> double& { return s.sph.delta.sound_damping; }), kDelta},
       {"method.viscous_form", "of forces.viscosity; stress leaves a surface free; solver delta, liquids", kStart, false,
-       Choice(kViscousForms, [](S& s) -> ViscousForm& { return s.sph.delta.viscous_form; })},
+       Choice(kViscousForms, [](S& s) -> ViscousForm& { return s.sph.delta.viscous_form; }), kDelta},
       {"method.shifting", "of particles towards where they lack; solver delta, liquids", kStart, false,
-       [](S& s, const V& v) { s.sph.delta.shifting = v.AsChoice(kSwitch) == 1; }},
+       [](S& s, const V& v) { s.sph.delta.shifting = v.AsChoice(kSwitch) == 1; }, kDelta},
       {"method.sharp_gradient", "of pressure, to fourth order; solver delta, liquids without a surface", kStart, false,
-       [](S& s, const V& v) { s.sph.delta.sharp_gradient = v.AsChoice(kSwitch) == 1; }},
+       [](S& s, const V& v) { s.sph.delta.sharp_gradient = v.AsChoice(kSwitch) == 1; }, kDelta},
       {"method.tensile_control", "particles do not pull at each other; solver delta, liquids", kStart, false,
-       [](S& s, const V& v) { s.sph.delta.tensile_control = v.AsChoice(kSwitch) == 1; }},
+       [](S& s, const V& v) { s.sph.delta.tensile_control = v.AsChoice(kSwitch) == 1; }, kDelta},
       {"method.form", "solver mueller: right in the plane, or as first published", kStart, false,
-       [](S& s, const V& v) { s.sph.mueller_published = v.AsChoice(kForms) == 1; }},
+       [](S& s, const V& v) { s.sph.mueller_published = v.AsChoice(kForms) == 1; }, {"mueller"}},
 
       {"periodic.box", "[x0, y0, x1, y1] of what repeats [m]", kStart, false,
        [](S& s, const V& v) { s.sph.periods.box = v.AsBox(); }},
@@ -199,9 +200,9 @@ std::span<const SceneKey> AllSceneKeys() {
       {"forces.damping", "motion damping nu [1/s]", kAny, false,
        Number(not_negative, [](S& s) -> double& { return s.base.motion_damping; })},
       {"forces.viscosity", "mu [Pa s]; solvers mueller and delta", kAny, false,
-       Number(not_negative, [](S& s) -> double& { return s.sph.viscosity; })},
+       Number(not_negative, [](S& s) -> double& { return s.sph.viscosity; }), {"mueller", "delta"}},
       {"forces.surface_tension", "sigma [N]; solver delta, liquids", kAny, false,
-       Number(not_negative, [](S& s) -> double& { return s.sph.delta.surface_tension; })},
+       Number(not_negative, [](S& s) -> double& { return s.sph.delta.surface_tension; }), kDelta},
 
       {"walls.kind", "what happens to a particle inside a wall", kStart, false,
        Choice(kWallKinds, [](S& s) -> WallKind& { return s.base.wall.kind; })},
@@ -223,6 +224,10 @@ std::span<const SceneKey> AllSceneKeys() {
        Number(positive, [](S& s) -> double& { return s.arrow_speed; })},
   };
   return keys;
+}
+
+bool SceneKey::UsedBy(const std::string& solver) const {
+  return solvers.empty() || std::ranges::find(solvers, solver) != solvers.end();
 }
 
 const SceneKey* FindSceneKey(std::string_view name) {

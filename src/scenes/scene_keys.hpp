@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scenes/scene.hpp"
 #include "scenes/value.hpp"
@@ -20,6 +21,9 @@ struct SceneKey {
   When when = When::kAtStart;
   bool required = false;
   std::function<void(Scene&, const Value&)> apply;
+  std::vector<std::string> solvers = {};  ///< that use it; empty: all do
+
+  bool UsedBy(const std::string& solver) const;
 };
 
 /// Every key outside the two arrays of tables, in the order of the documentation.

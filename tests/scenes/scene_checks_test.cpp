@@ -70,6 +70,13 @@ TEST(SceneChecks, RefuseASlidingWallToWhichNothingSticks) {
   EXPECT_EQ(Refusal(kScene, {mirrors[0], "walls.kind=particles", "walls.slip=none", mirrors[2]}), "accepted");
 }
 
+TEST(SceneChecks, RefuseWhatTheSolverDoesNotUse) {
+  EXPECT_TRUE(Has(Refusal(kScene, {"method.kernel=quintic"}), {"--set", "method.kernel", "solver delta", "'paper'"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"forces.viscosity=1"}), {"forces.viscosity", "mueller or delta"}));
+  EXPECT_EQ(Refusal(kScene, {"method.kernel=quintic", "solver=delta"}), "accepted") << "in any order";
+  EXPECT_TRUE(Has(Refusal(Changed("time_step =", "diffusion = 0.1\ntime_step =")), {"FILE:", "method.diffusion"}));
+}
+
 TEST(SceneChecks, RefuseWallsThatTheSolverDoesNotSee) {
   for (const std::string kind : {"mirror", "particles"}) {
     EXPECT_TRUE(Has(Refusal(kScene, {"walls.kind=" + kind}), {"FILE", "'" + kind + "'", "solver = 'delta'"}));
