@@ -8,24 +8,22 @@ namespace {
 
 constexpr double kMostSites = 1e9;  // from the origin
 
-/// One axis of the lattice: site k is at origin + (k + 1/2) step.
+/// One axis of the lattice: site k is at origin + (k + 1/2) step. What is beyond a high wall begins with site `count`.
 struct SiteAxis {
   AxisEnds ends;
-  std::int32_t count = 0;  // between two ends
+  std::int32_t count = 0;  // between two ends; 0 where there are not two
   double origin = 0;       // [m]
   double step = 0;         // [m]
 
   SiteAxis(const AxisEnds& of, double spacing, std::int32_t sites) : ends(of), count(sites), step(spacing) {
     const bool low = std::isfinite(ends.low), high = std::isfinite(ends.high);
     origin = low ? ends.low : high ? ends.high : 0;
-    if (count > 0) step = (ends.high - ends.low) / count;
+    if (count > 0) step = std::max((ends.high - ends.low) / count, 0.5 * spacing);  // walls may meet
   }
 
   bool Walled(Beyond side) const {
     return !ends.periodic && std::isfinite(side == Beyond::kLow ? ends.low : ends.high);
   }
-  /// The first site beyond the high wall.
-  std::int32_t End() const { return count; }
   double At(std::int32_t site) const { return origin + (site + 0.5) * step; }
   bool Near(Beyond side, double at, double reach) const {
     return side == Beyond::kLow ? at < ends.low + reach : at > ends.high - reach;
@@ -42,7 +40,7 @@ using Range = std::pair<std::int32_t, std::int32_t>;  // first ... second - 1
 
 /// The layers beyond a wall.
 Range Layers(const SiteAxis& axis, Beyond side, std::int32_t layers) {
-  return side == Beyond::kLow ? Range{-layers, 0} : Range{axis.End(), axis.End() + layers};
+  return side == Beyond::kLow ? Range{-layers, 0} : Range{axis.count, axis.count + layers};
 }
 
 /// The sites along a wall, at most `margin` from those of `near`, but for what is beyond other walls.
@@ -52,7 +50,7 @@ std::vector<Range> Along(const SiteAxis& axis, std::vector<std::int32_t>& near, 
   for (const std::int32_t site : near) {
     Range range{site - margin, site + margin + 1};
     if (axis.Walled(Beyond::kLow)) range.first = std::max(range.first, 0);
-    if (axis.Walled(Beyond::kHigh)) range.second = std::min(range.second, axis.End());
+    if (axis.Walled(Beyond::kHigh)) range.second = std::min(range.second, axis.count);
     if (range.first >= range.second) continue;
     if (!ranges.empty() && range.first <= ranges.back().second) {
       ranges.back().second = std::max(ranges.back().second, range.second);

@@ -102,6 +102,19 @@ void CheckSeenWalls(const Scene& scene, const std::string& source) {
   }
 }
 
+/// Wall particles stand as close as the fluid's, in layers as far as the support reaches.
+void CheckWallParticles(const Scene& scene, const std::string& source) {
+  if (scene.base.wall.kind != WallKind::kParticles) return;
+  constexpr double kMostLayers = 20;
+  const double support = SupportOf(scene.sph.delta.kernel) * scene.sph.smoothing_length;
+  const double spacing = Spacing(scene.base.fluid);
+  if (support <= kMostLayers * spacing) return;
+  throw UsageError(
+      "{}: walls.kind = 'particles' takes a support radius of at most {} spacings; here it is {:.4g}: "
+      "method.smoothing_length <= {:.4g} m would do",
+      source, kMostLayers, support / spacing, kMostLayers * spacing / SupportOf(scene.sph.delta.kernel));
+}
+
 void CheckPeriods(const Scene& scene, const std::string& source) {
   const Periods& periods = scene.sph.periods;
   if (!periods.Any() && periods.box == Box{}) return;
@@ -159,6 +172,7 @@ void CheckWhole(const Scene& scene, const std::string& source) {
   }
   CheckPeriods(scene, source);
   CheckSeenWalls(scene, source);
+  CheckWallParticles(scene, source);
   CheckSlip(scene, source);
   CheckControls(scene, source);
 }

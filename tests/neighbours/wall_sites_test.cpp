@@ -108,6 +108,14 @@ TEST(WallSites, GoWithAWallThatHasMoved) {
   }
 }
 
+TEST(WallSites, OfWallsThatMeetAreNoMoreThanLayersOfThem) {
+  Points points;
+  points.x = points.y = {0.5};
+  for (const double high : {0.5 + 1e-12, 0.5, 0.4}) {
+    EXPECT_LT(Found({{0.5, high}, {0, kNowhere}, kSpacing}, points).Size(), 500u) << high;
+  }
+}
+
 TEST(WallSites, OfFluidFarApartAreNoMoreThanThatOfFluidTogether) {
   Points points = Scattered(2, {0, 0, 0.01, 0.01});
   const Ends ends{{-kNowhere, kNowhere}, {0, kNowhere}, kSpacing};

@@ -83,6 +83,14 @@ TEST(SceneChecks, RefuseWallsThatTheSolverDoesNotSee) {
   }
 }
 
+TEST(SceneChecks, RefuseMoreLayersOfWallParticlesThanAnybodyNeeds) {
+  const auto with = [](const std::string& h) {
+    return Refusal(kScene, {"solver=delta", "walls.kind=particles", "method.smoothing_length=" + h});
+  };
+  EXPECT_EQ(with("1"), "accepted");  // spacings of 0.1 m, a support of two metres
+  EXPECT_TRUE(Has(with("1.01"), {"FILE", "20 spacings", "20.2", "<= 1 m"}));
+}
+
 TEST(SceneChecks, RefuseABoundaryLayerWhereNothingSlipsAlongAMirror) {
   const std::string layer = "walls.layer_viscosity=1e-6";
   EXPECT_TRUE(Has(Refusal(kScene, {layer}), {"FILE", "walls.kind = 'mirror'"}));
