@@ -136,7 +136,7 @@ class ParticleSystem {
   /// Puts the particles in another order, see Particles::Reorder.
   virtual void Reorder(std::span<const std::uint32_t> order) {
     particles_.Reorder(order, ThreadCount());
-    notes_.clear();  // of the old order
+    if (std::ranges::any_of(notes_, &ChunkNotes::behind_wall)) notes_.clear();  // of the old order
   }
   /// Called when a step has moved the particles.
   virtual void AfterStep() {}
