@@ -68,7 +68,6 @@ struct KnownKey {
   bool required = false;
   bool negative = false;  ///< takes negative numbers
   bool large = false;     ///< takes numbers above 1
-  const SceneKey* key = nullptr;
 };
 
 const std::vector<KnownKey>& KnownKeys() {
@@ -76,7 +75,7 @@ const std::vector<KnownKey>& KnownKeys() {
     std::vector<KnownKey> all;
     for (const SceneKey& key : AllSceneKeys()) {
       all.push_back({key.name, KindOf(key), ChoicesOf(key), key.required, Takes(key, toml::value<double>(-0.5)),
-                     Takes(key, toml::value<double>(1.5)), &key});
+                     Takes(key, toml::value<double>(1.5))});
     }
     return all;
   }();
@@ -167,7 +166,7 @@ std::string ControlOf(Dice& dice) {
 
 /// Whether a solver refuses the key; now and then it is to do so.
 bool Useless(const KnownKey& key, const std::string& solver, Dice& dice) {
-  return !key.key->UsedBy(solver) && dice.Chance(0.95);
+  return !FindSceneKey(key.name)->UsedBy(solver) && dice.Chance(0.95);
 }
 
 /// Sizes that go together, so that not every scene blows up at once.

@@ -48,6 +48,7 @@ SceneRequest AccurateStar(std::vector<std::string> settings) {
 std::span<const VerificationCase> AllVerificationCases() {
   static const std::array cases = {
       VerificationCase{"toy-star", "static star, random start, equal masses", false,
+                       // damped twice as much as in Table I, with which it still swings at t = 20 s
                        AccurateStar({"method.smoothing_length=0.08", "forces.damping=1"}), &StarOfEqualMasses},
       VerificationCase{"graded-star", "static star, hexagonal start, masses graded with density", false,
                        AccurateStar({"method.kernel=quintic", "method.smoothing_length=0.04", "fluid.arrange=hexagonal",

@@ -55,7 +55,7 @@ class Positions {
     }
   }
 
-  /// Takes the positions of images [m], behind those of n particles.
+  /// Takes the positions of images and wall particles [m], behind those of n particles.
   void SetImages(std::span<const double> x, std::span<const double> y, double support, std::size_t n) {
     const double per_unit = 1 / Unit(support);
     for (std::size_t k = 0; k < x.size(); ++k) {

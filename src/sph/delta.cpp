@@ -355,6 +355,9 @@ std::vector<PassPlan> Delta::Plan() const {
   std::vector<PassPlan> plan = ParticleSystemSPH::Plan();
   const DeltaParameters& delta = parameters_sph.delta;
   for (PassPlan& pass : plan) {
+    if (pass.name == "walls" && parameters.wall.kind == WallKind::kParticles) {
+      pass.reason = fmt::format("particles behind {} walls, in both passes", parameters.walls.size());
+    }
     if (pass.name == "density") {
       pass.reason =
           IsGas() ? "density by summation, and pressure" : "continuity and density diffusion, at the half step";
@@ -366,10 +369,6 @@ std::vector<PassPlan> Delta::Plan() const {
     }
   }
   const bool shifts = !IsGas() && delta.shifting;
-  if (parameters.wall.kind == WallKind::kParticles) {
-    std::ranges::find(plan, "walls", &PassPlan::name)->reason =
-        fmt::format("particles behind {} walls, in both passes", parameters.walls.size());
-  }
   plan.push_back({"shifting", shifts,
                   shifts    ? "particles go where they lack"
                   : IsGas() ? "a gas fills gaps by itself"

@@ -61,11 +61,14 @@ std::vector<Verdict> Measure(const std::string& name, std::optional<std::size_t>
 
 TEST(Verification, SlowCasesWithMirrorsHoldTheirBars) {
   EXPECT_TRUE(Measure("still-water")[1].Holds()) << "kinetic energy";
-  // What others reach with wall particles is 0.002 to 0.0069.
-  EXPECT_LT(Measure("poiseuille", {}, {"walls.kind=particles", "method.viscous_form=stress"})[0].value, 0.0035);
   EXPECT_TRUE(Measure("poiseuille")[0].Holds());
   EXPECT_TRUE(Measure("water-column")[0].Holds()) << "front";
   for (const Verdict& verdict : Measure("measured-front")) EXPECT_TRUE(verdict.Holds()) << verdict.metric;
+}
+
+TEST(Verification, SlowFlowBetweenPlatesOfParticlesIsAsGoodAsElsewhere) {
+  // 0.002 to 0.0069 there.
+  EXPECT_LT(Measure("poiseuille", {}, {"walls.kind=particles", "method.viscous_form=stress"})[0].value, 0.0035);
 }
 
 TEST(Verification, SlowAPlateDragsFewParticlesAlongAsItShould) { EXPECT_TRUE(Measure("couette", 600)[0].Holds()); }

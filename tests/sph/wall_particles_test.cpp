@@ -158,7 +158,7 @@ TEST(WallsOfParticles, DragTheFluidThatSticksToThemAndNoOther) {
     base.wall.no_slip = sticks;
     ParametersSPH water = Water();
     water.smoothing_length = 0.05;
-    water.viscosity = 500;  // a quarter of a square metre a second, half: the step allows no more
+    water.viscosity = 500;  // half a square metre a second: within 0.02 s it reaches a tenth of a metre from the walls
     water.delta.viscous_form = ViscousForm::kStress;
     water.periods = {{0, 0, 1, 1}, false, true};
     const auto steady = [&](Vec2 x) { return Vec2{0, sticks ? 0.3 * x.x : 0}; };
