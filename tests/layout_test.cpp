@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -135,6 +136,24 @@ TEST(Layout, NoFileIsTooLongForOneIdea) {
   for (const char* top : {"src", "tests"})
     for (const fs::path& file : Sources(top))
       EXPECT_LE(Lines(kRoot / top / file).size(), kLongestFile) << top << "/" << file.generic_string();
+}
+
+// Two of one name are one to the linker, which takes the functions of either.
+TEST(Layout, TypesInHeadersHaveNamesOfTheirOwn) {
+  const std::regex type(R"((?:struct|class|enum class) (\w+)[^;]*)");
+  for (const char* top : {"src", "tests"}) {
+    std::map<std::string, fs::path> seen;
+    for (const fs::path& file : Sources(top)) {
+      if (file.extension() != ".hpp") continue;
+      for (const std::string& line : Lines(kRoot / top / file)) {
+        std::smatch parts;
+        if (!std::regex_match(line, parts, type)) continue;
+        const auto [before, is_new] = seen.emplace(parts[1], file);
+        EXPECT_TRUE(is_new) << parts[1] << " in " << file << " and " << before->second;
+      }
+    }
+    EXPECT_GT(seen.size(), 10u) << "are types written in another way now?";
+  }
 }
 
 TEST(Layout, FilesNamedInTheReadmeExist) {

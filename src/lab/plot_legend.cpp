@@ -11,7 +11,7 @@ namespace {
 
 // [pixels of a plot of 1200 x 800]
 constexpr double kSample = 56;  // width of the line or patch beside the name
-constexpr double kPadding = 12;
+constexpr double kLegendPadding = 12;
 constexpr double kDistance = 18;  // from the frame
 
 void DrawSample(Surface& surface, const Series& series, double left, double y, double unit) {
@@ -42,7 +42,8 @@ Vec2 LegendSize(const Plot& plot, double unit) {
   for (const Series& series : plot.series) add(series.name);
   for (const Band& band : plot.bands) add(band.name);
   if (entries == 0) return {};
-  return {widest + (kSample + 3 * kPadding) * unit, entries * LineHeight(kLegendSize * unit) + kPadding * unit};
+  return {widest + (kSample + 3 * kLegendPadding) * unit,
+          entries * LineHeight(kLegendSize * unit) + kLegendPadding * unit};
 }
 
 LegendPlace EmptiestPlace(Surface& data, const Box& frame, Vec2 size, double unit) {
@@ -67,11 +68,11 @@ void DrawLegend(Surface& surface, const Plot& plot, const Box& box, double unit)
                    std::round(box.y1) + border});
   surface.SetColour(kWhite);
   surface.FillBox({std::round(box.x0), std::round(box.y0), std::round(box.x1), std::round(box.y1)});
-  const double size = kLegendSize * unit, left = box.x0 + kPadding * unit;
-  double y = box.y0 + 0.5 * (kPadding * unit + LineHeight(size));
+  const double size = kLegendSize * unit, left = box.x0 + kLegendPadding * unit;
+  double y = box.y0 + 0.5 * (kLegendPadding * unit + LineHeight(size));
   const auto name = [&](const std::string& text) {
     surface.SetColour(kInk);
-    DrawText(surface, text, {left + (kSample + kPadding) * unit, y}, size, Anchor::kLeft);
+    DrawText(surface, text, {left + (kSample + kLegendPadding) * unit, y}, size, Anchor::kLeft);
     y += LineHeight(size);
   };
   for (std::size_t i = 0; i < plot.series.size(); ++i) {

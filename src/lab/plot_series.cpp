@@ -139,7 +139,7 @@ void DrawMap(Surface& surface, const PlotLayout& layout, const HeatMap& map) {
     for (std::size_t column = 0; column < map.columns; ++column) {
       const double v = map.values[row * map.columns + column];
       const bool drawable = Drawable(v, value.scale);
-      surface.SetColour(drawable ? MapColour(std::clamp(value.ToPixel(v), 0.0, 1.0)) : kNoValue);
+      surface.SetColour(drawable ? MapColour(std::clamp(value.ToPixel(v), 0.0, 1.0)) : kNoValueColour);
       surface.FillBox(
           {edge(x, layout.x, column, map.columns, f.x0, f.x1), edge(y, layout.y, row + 1, map.rows, f.y0, f.y1),
            edge(x, layout.x, column + 1, map.columns, f.x0, f.x1), edge(y, layout.y, row, map.rows, f.y0, f.y1)});

@@ -26,7 +26,7 @@ constexpr Colour kInk = {0.1, 0.1, 0.1};          // text, frame
 constexpr Colour kFaintInk = {0.35, 0.35, 0.35};  // notes
 constexpr Colour kMajorGrid = {0.86, 0.86, 0.86};
 constexpr Colour kMinorGrid = {0.94, 0.94, 0.94};
-constexpr Colour kNoValue = {0.75, 0.75, 0.75};  // of a map
+constexpr Colour kNoValueColour = {0.75, 0.75, 0.75};  // of a map
 constexpr Colour kWhite = {1, 1, 1};
 
 /// Letters [pixels of a plot of 1200 x 800].

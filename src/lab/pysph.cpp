@@ -72,12 +72,12 @@ void RunScript(const std::string& case_name, int resolution, const std::filesyst
 }
 
 /// Those of the times; there may be others, of the start or the end.
-std::vector<Snapshot> SnapshotsAt(const std::vector<double>& times, const PeerFile& peer,
-                                  const std::filesystem::path& file) {
+std::vector<FlowSnapshot> SnapshotsAt(const std::vector<double>& times, const PeerFile& peer,
+                                      const std::filesystem::path& file) {
   const double tolerance = 1e-4 * times.back();
-  std::vector<Snapshot> wanted;
+  std::vector<FlowSnapshot> wanted;
   for (const double time : times) {
-    const auto distance = [&](const Snapshot& snapshot) { return std::abs(snapshot.time - time); };
+    const auto distance = [&](const FlowSnapshot& snapshot) { return std::abs(snapshot.time - time); };
     const auto nearest = std::ranges::min_element(peer.snapshots, {}, distance);
     if (distance(*nearest) > tolerance) throw TroubleError("{}: has no particles at t = {} s", file.string(), time);
     wanted.push_back(*nearest);
@@ -152,7 +152,7 @@ RivalRun RunPySph(const VerificationCase& of, int resolution, const std::filesys
   RunScript(of.name, resolution, file, times, log);
   PeerFile peer = ReadPeerFile(file);
   std::filesystem::remove(file);
-  const std::vector<Snapshot> wanted = SnapshotsAt(times, peer, file);
+  const std::vector<FlowSnapshot> wanted = SnapshotsAt(times, peer, file);
   RivalRun run{.case_name = of.name,
                .who = fmt::format("PySPH {}, {}", peer.Fact("version"), peer.Fact("scheme")),
                .particles = static_cast<std::size_t>(AsNumber(peer.Fact("particles"), file)),

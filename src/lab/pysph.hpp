@@ -35,7 +35,7 @@ RivalRun RunPySph(const VerificationCase& of, int resolution, const std::filesys
 /// A file of assets/peers/pysph_run.py: the facts of its first lines, and the particles at each time.
 struct PeerFile {
   std::vector<std::pair<std::string, std::string>> facts;
-  std::vector<Snapshot> snapshots;
+  std::vector<FlowSnapshot> snapshots;
 
   /// TroubleError if there is no such fact.
   const std::string& Fact(const std::string& key) const;

@@ -8,7 +8,7 @@
 
 namespace sph {
 
-double ValueAt(const Series& series, double x) {
+double ValueAt(const PointSeries& series, double x) {
   SPH_CHECK(!series.empty(), "{} points", series.size());
   const auto after = std::ranges::lower_bound(series, x, {}, &Vec2::x);
   if (after == series.begin()) return series.front().y;
@@ -17,7 +17,7 @@ double ValueAt(const Series& series, double x) {
   return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
 }
 
-double FirstAbove(const Series& series, double level) {
+double FirstAbove(const PointSeries& series, double level) {
   for (std::size_t i = 1; i < series.size(); ++i) {
     const Vec2 a = series[i - 1], b = series[i];
     if (a.y < level && b.y >= level) return a.x + (b.x - a.x) * (level - a.y) / (b.y - a.y);
@@ -25,7 +25,7 @@ double FirstAbove(const Series& series, double level) {
   return std::numeric_limits<double>::infinity();
 }
 
-double Difference(const Series& computed, const Series& measured, double delay) {
+double Difference(const PointSeries& computed, const PointSeries& measured, double delay) {
   double squares = 0;
   for (const Vec2 point : measured) {
     const double error = ValueAt(computed, point.x - delay) - point.y;
@@ -34,7 +34,7 @@ double Difference(const Series& computed, const Series& measured, double delay) 
   return std::sqrt(squares / static_cast<double>(measured.size()));
 }
 
-double BestDelay(const Series& computed, const Series& measured, double longest) {
+double BestDelay(const PointSeries& computed, const PointSeries& measured, double longest) {
   constexpr int kTrials = 1000;
   double best = 0, least = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= kTrials; ++k) {

@@ -152,14 +152,14 @@ std::vector<SpeedCase> SpeedCases(bool quick) {
                                                : std::vector<std::size_t>{1000, 10'000, 100'000, 1'000'000, 4'000'000};
   const std::vector<std::size_t> columns =
       quick ? std::vector<std::size_t>{10'000} : std::vector<std::size_t>{10'000, 100'000};
-  const std::string best = AvailableInstructionSets().back();
   std::vector<SpeedCase> cases;
   for (const Precision precision : {Precision::kFloat, Precision::kDouble}) {
     for (const std::string& set : AvailableInstructionSets()) {
-      const std::vector<int> threads = set == best ? std::vector<int>{1, 2} : std::vector<int>{1};
-      for (const std::size_t n : tanks) cases.push_back({Flow::kTank, n, precision, set, threads});
+      for (const std::size_t n : tanks) cases.push_back({Flow::kTank, n, precision, set});
     }
-    for (const std::size_t n : columns) cases.push_back({Flow::kCollapse, n, precision, best, {1, 2}});
+    for (const std::size_t n : columns) {
+      cases.push_back({Flow::kCollapse, n, precision, AvailableInstructionSets().back()});
+    }
   }
   return cases;
 }

@@ -17,8 +17,8 @@ struct SpeedCase {
   std::size_t particles = 0;
   Precision precision = Precision::kFloat;
   std::string instruction_set = "best";
-  std::vector<int> threads = {1};  ///< their repetitions take turns, so that noise and flow are the same for all
-  double particle_steps = 1e6;     ///< of a repetition of a tank, at least
+  std::vector<int> threads = {1, 2};  ///< their repetitions take turns, so that noise and flow are the same for all
+  double particle_steps = 1e6;        ///< of a repetition of a tank, at least
 };
 
 /// Wall time of some repetitions.

@@ -32,7 +32,7 @@ Vec2 StandingWave::Shape(double x, double y) const {
   return {std::sin(k * x) * std::cosh(k * y) / top, -std::cos(k * x) * std::sinh(k * y) / top};
 }
 
-std::complex<double> FitDecay(const Series& samples) {
+std::complex<double> FitDecay(const PointSeries& samples) {
   std::vector<double> zeros, areas;
   double area = 0;
   for (std::size_t i = 1; i < samples.size(); ++i) {

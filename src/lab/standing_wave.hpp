@@ -26,6 +26,6 @@ struct StandingWave {
 /// times at which it passes zero, and from how the areas between them become smaller, which noise hardly changes that
 /// is less than how far the deflection goes from sample to sample there. Not a number if it passes zero less than four
 /// times.
-std::complex<double> FitDecay(const Series& samples);
+std::complex<double> FitDecay(const PointSeries& samples);
 
 }  // namespace sph

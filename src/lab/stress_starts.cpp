@@ -15,7 +15,7 @@ namespace sph {
 namespace {
 
 /// A scene that runs until `until`, with a key at `press_at` if there is one.
-struct Course {
+struct KeyedScene {
   std::string scene;
   std::string key;
   double press_at = 0;  // [s]
@@ -29,7 +29,7 @@ struct Outcome {
   double deepest = 0;  // [spacings]
 };
 
-Outcome RunOf(const Course& course, std::uint64_t seed, int threads) {
+Outcome RunOf(const KeyedScene& course, std::uint64_t seed, int threads) {
   SceneRequest request;
   request.scene = course.scene;
   request.seed = seed;
@@ -71,7 +71,7 @@ void Draw(const std::string& name, const std::string& title, std::vector<double>
       csv);
 }
 
-void OfScene(const Course& course, const StressOptions& options, StressSink& sink) {
+void OfScene(const KeyedScene& course, const StressOptions& options, StressSink& sink) {
   const long count = options.CountOr(1000, 6);
   long unstable = 0, outside = 0, retreats = 0;
   double deepest = 0;

@@ -31,7 +31,7 @@ struct Verdict {
 };
 
 /// What is known of a flow at one time.
-struct Snapshot {
+struct FlowSnapshot {
   double time = 0;  ///< [s]
   Particles particles = {};
   std::vector<double> pressure = {};  ///< [Pa], as many as particles
@@ -43,7 +43,7 @@ struct Judgement {
   std::vector<double> (*times)(const ParticleSystemSPH& flow);
   /// Snapshots at about these times, of a flow whose parameters are those of `flow`; none if it broke down: then no
   /// verdict holds.
-  std::vector<Verdict> (*judge)(const ParticleSystemSPH& flow, std::span<const Snapshot> snapshots);
+  std::vector<Verdict> (*judge)(const ParticleSystemSPH& flow, std::span<const FlowSnapshot> snapshots);
 };
 
 struct VerificationCase {
@@ -79,6 +79,12 @@ std::vector<Verdict> MeasureStandingWave(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureWallArrival(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureWallImpact(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureWallPressure(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureOperators(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureMomentum(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureReversal(ParticleSystemSPH& system);
+
+/// The scene of MeasureOperators: vortices so arranged, with this viscosity [Pa s], and a step in which nothing moves.
+SceneRequest FrozenVortices(const std::string& arrange, std::size_t particles, const std::string& viscosity);
 
 /// The value of a metric of a run that broke down: no bar holds it.
 inline constexpr double kBroken = std::numeric_limits<double>::infinity();

@@ -51,11 +51,11 @@ double KineticEnergy(const Particles& p) {
 
 std::vector<double> TimesOfEllipticDrop(const ParticleSystemSPH&) { return {0, 0.0076}; }
 
-std::vector<Verdict> JudgeEllipticDrop(const ParticleSystemSPH& flow, std::span<const Snapshot> snapshots) {
+std::vector<Verdict> JudgeEllipticDrop(const ParticleSystemSPH& flow, std::span<const FlowSnapshot> snapshots) {
   double axis_error = kBroken, energy_error = kBroken;
   if (!snapshots.empty()) {
-    const Snapshot& start = snapshots.front();
-    const Snapshot& end = snapshots.back();
+    const FlowSnapshot& start = snapshots.front();
+    const FlowSnapshot& end = snapshots.back();
     const double axis = std::sqrt(SecondMoments(end.particles).y / SecondMoments(start.particles).y);
     const double rate = flow.parameters_sph.flow_speed / (0.5 * flow.InitialBounds().Width());
     axis_error = std::abs(axis / LongAxis(rate, end.time) - 1);

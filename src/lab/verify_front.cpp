@@ -14,8 +14,8 @@ constexpr double kNearTheWall = 3.95;  // widths; the far wall is four away
 constexpr double kLatest = 4;          // T at which the front is there long since
 
 /// (T, front over a) up to the far wall; times are in units of `unit`.
-Series MeasuredFront(const std::string& name, double unit) {
-  Series points = ReadReference(name);
+PointSeries MeasuredFront(const std::string& name, double unit) {
+  PointSeries points = ReadReference(name);
   std::erase_if(points, [](Vec2 point) { return point.y > kNearTheWall; });
   for (Vec2& point : points) point.x /= unit;
   return points;
@@ -28,7 +28,7 @@ std::vector<Verdict> MeasureMeasuredFront(ParticleSystemSPH& system) {
   constexpr double kLongestDelay = 0.6;
   const double width = system.parameters.fluid.region.box.Width();
   const double unit = std::sqrt(0.5 * width / -system.parameters.gravity.y);  // [s]
-  Series front;
+  PointSeries front;
   const auto note = [&] {
     const double foremost = std::ranges::max(system.State().x) + 0.5 * system.InitialSpacing();
     front.push_back({system.Time() / unit, foremost / width});
@@ -39,7 +39,7 @@ std::vector<Verdict> MeasureMeasuredFront(ParticleSystemSPH& system) {
     note();
   }
   std::vector<Verdict> verdicts;
-  const auto add = [&](const std::string& who, const Series& measured) {
+  const auto add = [&](const std::string& who, const PointSeries& measured) {
     const bool broken = system.Trouble().has_value();
     const double delay = BestDelay(front, measured, kLongestDelay);
     verdicts.push_back({"front, delayed, RMS over a, " + who, broken ? kBroken : Difference(front, measured, delay),

@@ -26,9 +26,9 @@ double FarWall(ParticleSystemSPH& system) { return FindWall(system.parameters.wa
 
 /// What a gauge `height` [m] above the floor in the far wall feels: (T, P), P being the mean over the time since the
 /// point before it, as of a gauge that misses nothing. Until it breaks down.
-Series SignalOf(ParticleSystemSPH& system, const std::vector<double>& times, double height) {
+PointSeries SignalOf(ParticleSystemSPH& system, const std::vector<double>& times, double height) {
   const Vec2 gauge{FarWall(system), height};
-  Series signal;
+  PointSeries signal;
   for (const double time : times) {
     double sum = 0, since = 0;
     while (system.Time() < UnitOfTime(system) * time && !system.Trouble()) {
@@ -50,7 +50,7 @@ std::vector<Verdict> MeasureWallArrival(ParticleSystemSPH& system) {
   constexpr double kLatest = 3;
   const double at_the_wall = FarWall(system) - 0.5 * system.InitialSpacing();
   const double unit = UnitOfTime(system);
-  Series front;
+  PointSeries front;
   const auto note = [&] { front.push_back({system.Time() / unit, std::ranges::max(system.State().x)}); };
   note();
   while (front.back().y < at_the_wall && system.Time() < kLatest * unit && !system.Trouble()) {
@@ -66,12 +66,12 @@ std::vector<Verdict> MeasureWallImpact(ParticleSystemSPH& system) {
   constexpr double kWet = 0.1;      // of rho g H: the gauge has felt the water
   const auto band = ReadReferenceRows("lobovsky2014_H300_s2_percentiles", 4);
   std::vector<double> times;
-  Series median;
+  PointSeries median;
   for (const auto& row : band) {
     times.push_back(row[0]);
     median.push_back({row[0], row[2]});
   }
-  const Series signal = SignalOf(system, times, kGauge);
+  const PointSeries signal = SignalOf(system, times, kGauge);
   const double measured = FirstAbove(median, kWet);
   const double delay = measured - FirstAbove(signal, kWet);
   double outside = 0, whole = 0, impulse = 0, measured_impulse = 0;
@@ -98,12 +98,12 @@ std::vector<Verdict> MeasureWallImpact(ParticleSystemSPH& system) {
 std::vector<Verdict> MeasureWallPressure(ParticleSystemSPH& system) {
   // Before T = 2.5 the gauge was dry, and what was digitised there is noise.
   constexpr double kFrom = 2.5, kTo = 7.2, kApart = 0.05;
-  Series measured = ReadReference("buchner2002_pressure");
+  PointSeries measured = ReadReference("buchner2002_pressure");
   std::ranges::sort(measured, {}, &Vec2::x);
   std::vector<double> times;
   for (double time = kFrom - 1; time < kTo; time += kApart) times.push_back(time);
   const double height = system.parameters.fluid.region.box.Height();
-  const Series signal = SignalOf(system, times, 0.2 * height);
+  const PointSeries signal = SignalOf(system, times, 0.2 * height);
   double difference = 0, impulse = 0, measured_impulse = 0;
   int points = 0;
   for (double time = kFrom; time < kTo; time += kApart) {

@@ -5,10 +5,10 @@
 namespace sph {
 namespace {
 
-struct Errors {
+struct VortexErrors {
   double velocity = kBroken, pressure = kBroken;
 };
-Errors ErrorsOf(ParticleSystemSPH& system) {
+VortexErrors VortexErrorsOf(ParticleSystemSPH& system) {
   const std::vector<Verdict> verdicts = MeasureTaylorGreen(system);
   return {verdicts[0].value, verdicts[1].value};
 }
@@ -24,12 +24,12 @@ std::vector<Verdict> MeasureTaylorGreenOrder(ParticleSystemSPH& system) {
     request.particles = particles;
     request.threads = system.parameters.threads;
     const auto finer = MakeSystem(LoadScene(request));
-    return ErrorsOf(*finer);
+    return VortexErrorsOf(*finer);
   };
-  const Errors coarse = ErrorsOf(system);
+  const VortexErrors coarse = VortexErrorsOf(system);
   const bool broken = system.Trouble().has_value();
-  const Errors middle = broken ? Errors{} : at(2500);
-  const Errors fine = broken ? Errors{} : at(10000);
+  const VortexErrors middle = broken ? VortexErrors{} : at(2500);
+  const VortexErrors fine = broken ? VortexErrors{} : at(10000);
   const auto reduction = [&](double before, double after) { return broken ? kBroken : after / before; };
   return {{"L1 of speed, 50 x 50 over 25 x 25", reduction(coarse.velocity, middle.velocity), 0.25, "second order: 1/4"},
           {"L1 of speed, 100 x 100 over 50 x 50", reduction(middle.velocity, fine.velocity), 0.25, "second order: 1/4"},

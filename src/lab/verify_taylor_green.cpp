@@ -13,7 +13,7 @@ struct Errors {
 };
 
 /// [The measures of PySPH's taylor_green.py.]
-Errors ErrorsOf(const ParticleSystemSPH& flow, const Snapshot& snapshot) {
+Errors ErrorsOf(const ParticleSystemSPH& flow, const FlowSnapshot& snapshot) {
   const Particles& p = snapshot.particles;
   const double nu = flow.parameters_sph.viscosity / ReferenceDensity(flow.parameters_sph.equation_of_state);
   const double side = flow.parameters_sph.periods.box.Width();
@@ -35,7 +35,7 @@ Errors ErrorsOf(const ParticleSystemSPH& flow, const Snapshot& snapshot) {
 
 std::vector<double> Times(const ParticleSystemSPH&) { return {0.5, 1}; }
 
-std::vector<Verdict> JudgeTaylorGreen(const ParticleSystemSPH& flow, std::span<const Snapshot> snapshots) {
+std::vector<Verdict> JudgeTaylorGreen(const ParticleSystemSPH& flow, std::span<const FlowSnapshot> snapshots) {
   const Errors half = snapshots.empty() ? Errors{} : ErrorsOf(flow, snapshots[0]);
   const Errors whole = snapshots.empty() ? Errors{} : ErrorsOf(flow, snapshots[1]);
   return {

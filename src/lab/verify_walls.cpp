@@ -12,7 +12,7 @@ namespace {
 
 std::vector<double> TimesOfStillWater(const ParticleSystemSPH&) { return {2}; }
 
-std::vector<Verdict> JudgeStillWater(const ParticleSystemSPH& flow, std::span<const Snapshot> snapshots) {
+std::vector<Verdict> JudgeStillWater(const ParticleSystemSPH& flow, std::span<const FlowSnapshot> snapshots) {
   double pressure_error = kBroken, energy = kBroken;
   if (!snapshots.empty()) {
     const double gravity = -flow.parameters.gravity.y;
@@ -69,10 +69,10 @@ std::vector<double> TimesOfPoiseuille(const ParticleSystemSPH& flow) {
   return {0.1 * slowest, 0.3 * slowest, slowest, 3 * slowest, 6 * slowest};
 }
 
-std::vector<Verdict> JudgePoiseuille(const ParticleSystemSPH& flow, std::span<const Snapshot> snapshots) {
+std::vector<Verdict> JudgePoiseuille(const ParticleSystemSPH& flow, std::span<const FlowSnapshot> snapshots) {
   const PlateFlow plates = PlateFlowOf(flow);
   double worst = snapshots.empty() ? kBroken : 0;
-  for (const Snapshot& snapshot : snapshots) {
+  for (const FlowSnapshot& snapshot : snapshots) {
     const Particles& p = snapshot.particles;
     double squares = 0;
     for (std::size_t i = 0; i < p.Size(); ++i) {
@@ -102,7 +102,7 @@ std::vector<double> TimesOfWaterColumn(const ParticleSystemSPH& flow) {
   return times;
 }
 
-std::vector<Verdict> JudgeWaterColumn(const ParticleSystemSPH& flow, std::span<const Snapshot> snapshots) {
+std::vector<Verdict> JudgeWaterColumn(const ParticleSystemSPH& flow, std::span<const FlowSnapshot> snapshots) {
   const std::vector<Vec2> points = FrontOfMps();
   double squares = 0;
   for (std::size_t k = 0; k < snapshots.size(); ++k) {

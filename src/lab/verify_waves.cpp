@@ -27,7 +27,7 @@ std::vector<Verdict> MeasureStandingWave(ParticleSystemSPH& system) {
     }
     return along / norm;
   };
-  Series samples;
+  PointSeries samples;
   for (int k = 0; k <= kPeriods * kSamples && !system.Trouble(); ++k) {
     AdvanceTo(system, period * k / kSamples);
     samples.push_back({system.Time(), deflection()});

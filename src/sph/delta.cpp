@@ -336,6 +336,15 @@ std::size_t Delta::Bytes() const {
              arrays_, surface_, wall_values_);
 }
 
+std::vector<Vec2> Delta::DensityGradient() const {
+  std::vector<Vec2> gradient(particles_.Size());
+  const auto copy = [&](const auto& arrays) {
+    for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] = {arrays.gradient_x[i], arrays.gradient_y[i]};
+  };
+  std::visit(copy, arrays_);
+  return gradient;
+}
+
 void Delta::Transfer(Archive& archive) {
   ParticleSystemSPH::Transfer(archive);
   if (IsGas()) return;

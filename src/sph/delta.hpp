@@ -29,6 +29,9 @@ class Delta : public ParticleSystemSPH {
   std::size_t Bytes() const override;
   void Transfer(Archive& archive) override;
 
+  /// The renormalised gradient of density of the last step [kg/m^4], of a liquid; 0 where there are too few others.
+  std::vector<Vec2> DensityGradient() const;
+
  protected:
   void ComputeAccelerations() override;
   void InitialPositions() override;

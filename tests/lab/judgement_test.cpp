@@ -23,8 +23,8 @@ std::unique_ptr<ParticleSystemSPH> FlowOf(const std::string& name) {
 
 /// Particles on a lattice of n x n in the box, with what `add` makes of their places.
 template <typename At>
-Snapshot Lattice(int n, const Box& box, double time, At at) {
-  Snapshot snapshot{.time = time};
+FlowSnapshot Lattice(int n, const Box& box, double time, At at) {
+  FlowSnapshot snapshot{.time = time};
   for (int row = 0; row < n; ++row) {
     for (int column = 0; column < n; ++column) {
       const Vec2 place = {box.x0 + (column + 0.5) / n * box.Width(), box.y0 + (row + 0.5) / n * box.Height()};
@@ -50,8 +50,8 @@ TEST(TaylorGreenJudgement, FindsTheErrorThatIsPutIn) {
     };
   };
   const Box box{0, 0, 1, 1};
-  const std::vector<Snapshot> snapshots = {Lattice(20, box, 0.5, vortices(0.5, 1, 1)),
-                                           Lattice(20, box, 1.003, vortices(1.003, 1.02, 1))};
+  const std::vector<FlowSnapshot> snapshots = {Lattice(20, box, 0.5, vortices(0.5, 1, 1)),
+                                               Lattice(20, box, 1.003, vortices(1.003, 1.02, 1))};
   const auto verdicts = kTaylorGreen.judge(*flow, snapshots);
   EXPECT_NEAR(verdicts[0].value, 0.02, 1e-12);
   EXPECT_NEAR(verdicts[1].value, 0, 1e-12) << "whatever the mean pressure is";
@@ -62,8 +62,8 @@ TEST(EllipticDropJudgement, KnowsTheAxisAtAnyTime) {
   // b at these times, and 1.944517 at the end [J. J. Monaghan, J. Comput. Phys. 110 (1994) 399].
   for (const Vec2 known : {Vec2{0.0008, 1.083103}, Vec2{0.0038, 1.439219}, Vec2{0.0076, 1.944517}}) {
     const auto still = [](Vec2) { return State{{1, 0}, 0.0}; };
-    const Snapshot start = Lattice(10, {-1, -1, 1, 1}, 0, still);
-    Snapshot end = start;
+    const FlowSnapshot start = Lattice(10, {-1, -1, 1, 1}, 0, still);
+    FlowSnapshot end = start;
     end.time = known.x;
     for (double& y : end.particles.y) y *= known.y;
     for (double& u : end.particles.vx) u *= std::sqrt(0.9);
@@ -93,10 +93,10 @@ TEST(PoiseuilleJudgement, FindsTheParabolaAtTheEndAndRestAtTheStart) {
 
 TEST(WaterColumnJudgement, FindsTheErrorThatIsPutIn) {
   const auto flow = FlowOf("water-column");
-  std::vector<Snapshot> snapshots;
+  std::vector<FlowSnapshot> snapshots;
   for (const Vec2 point : ReadReference("koshizuka_oka1996_front_mps")) {
     if (point.y > 3.95) break;
-    Snapshot snapshot;
+    FlowSnapshot snapshot;
     snapshot.particles.Add({point.y - 0.005 + 0.03, 0}, {}, 0.1);  // a particle of 0.01 m
     snapshot.particles.Add({0.5, 0}, {}, 0.1);
     snapshots.push_back(snapshot);

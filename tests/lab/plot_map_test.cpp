@@ -30,7 +30,7 @@ TEST(HeatMap, ShowsEachCellInTheColourOfItsValue) {
   EXPECT_LE(Distance(ColourAt(plot, 0.5, 10.5), MapColour(0)), kRounding) << "the first value is at the lower left";
   EXPECT_LE(Distance(ColourAt(plot, 2.5, 10.5), MapColour(0.5)), kRounding);
   EXPECT_LE(Distance(ColourAt(plot, 1.5, 11.5), MapColour(1)), kRounding);
-  EXPECT_LE(Distance(ColourAt(plot, 2.5, 11.5), kNoValue), kRounding);
+  EXPECT_LE(Distance(ColourAt(plot, 2.5, 11.5), kNoValueColour), kRounding);
   EXPECT_EQ(Omissions(plot), "Grey: no value (1 of 6 cells). ");
 }
 

@@ -8,7 +8,7 @@
 namespace sph {
 namespace {
 
-const Series kRamp = {{0, 1}, {1, 3}, {3, 3}, {4, 7}};
+const PointSeries kRamp = {{0, 1}, {1, 3}, {3, 3}, {4, 7}};
 
 TEST(Series, ValueIsLinearBetweenPointsAndConstantBeyondThem) {
   EXPECT_EQ(ValueAt(kRamp, 0.5), 2);
@@ -32,7 +32,7 @@ TEST(Series, DifferenceIsTheRootMeanSquareAtTheMeasuredPoints) {
 }
 
 TEST(Series, BestDelayIsTheOneThatTheSeriesWasShiftedBy) {
-  Series computed, measured;
+  PointSeries computed, measured;
   for (int k = 0; k < 100; ++k) computed.push_back({0.05 * k, std::exp(0.3 * 0.05 * k)});
   for (int k = 10; k < 30; ++k) measured.push_back({0.1 * k, std::exp(0.3 * (0.1 * k - 0.27))});
   const double delay = BestDelay(computed, measured, 0.6);

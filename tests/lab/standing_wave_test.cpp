@@ -54,7 +54,7 @@ TEST(StandingWave, ShapeHasNoDivergenceAndNoCurlAndStaysInTheTank) {
 }
 
 TEST(FitDecay, FindsWhatTheOscillationWasMadeWith) {
-  Series samples;
+  PointSeries samples;
   Random random(5);
   for (int k = 0; k <= 700; ++k) {
     const double t = 0.04 * k;

@@ -32,6 +32,7 @@ TEST(Verification, CasesHaveNamesOfTheirOwnAndScenesThatExist) {
 TEST(Verification, ARunThatBreaksDownHoldsNothing) {
   int broken = 0;
   for (const VerificationCase& of : AllVerificationCases()) {
+    if (of.name == "operators") continue;  // nothing moves in it
     SceneRequest request = of.request;
     const double step = LoadScene(request).base.time_step;
     request.settings.push_back("method.time_step=" + std::to_string(20 * step));

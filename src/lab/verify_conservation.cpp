@@ -1,0 +1,76 @@
+// What the method promises to keep to round-off: momentum, where forces come in pairs, and the way back of leapfrog.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lab/verification.hpp"
+#include "sph/delta.hpp"
+
+namespace sph {
+namespace {
+
+/// Sum of m v, and of m |v| [kg m/s], with the velocities half a step before: to those forces are added.
+struct Momentum {
+  Vec2 sum;
+  double size = 0;
+};
+Momentum MomentumOf(const Particles& p) {
+  Momentum momentum;
+  for (std::size_t i = 0; i < p.Size(); ++i) {
+    const Vec2 v{p.vx_prev[i], p.vy_prev[i]};
+    momentum.sum = momentum.sum + p.mass[i] * v;
+    momentum.size += p.mass[i] * Length(v);
+  }
+  return momentum;
+}
+
+/// A star that can go back the way it came.
+class Returning : public Delta {
+ public:
+  Returning(const Parameters& base, const ParametersSPH& sph) : Delta(base, sph) { Reset(); }
+
+  /// The velocity half a step "before" becomes minus the one that would have come half a step after.
+  void TurnRound() {
+    ComputeAccelerations();
+    Particles& p = particles_;
+    for (std::size_t i = 0; i < p.Size(); ++i) {
+      p.vx_prev[i] = -(p.vx_prev[i] + parameters.time_step * p.ax[i]);
+      p.vy_prev[i] = -(p.vy_prev[i] + parameters.time_step * p.ay[i]);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<Verdict> MeasureMomentum(ParticleSystemSPH& system) {
+  const Momentum start = MomentumOf(system.State());
+  AdvanceTo(system, 0.5);
+  const Vec2 change = MomentumOf(system.State()).sum - start.sum;
+  return {{"change of momentum, t = 0.5 s, over sum of m |v|", system.Trouble() ? kBroken : Length(change) / start.size,
+           1e-12, "constant"}};
+}
+
+/// There and back over half a period of the mode that stretches one axis and squeezes the other, omega^2 = 2 lambda:
+/// over more of them particles that collide magnify round-off to any size.
+std::vector<Verdict> MeasureReversal(ParticleSystemSPH& system) {
+  Returning star(system.parameters, system.parameters_sph);
+  const Particles& p = star.State();
+  std::vector<Vec2> start(p.Size());
+  for (std::size_t i = 0; i < p.Size(); ++i) start[p.id[i]] = p.Position(i);
+  const double half_a_period = std::numbers::pi / std::sqrt(2 * star.parameters.central_force);
+  const long steps = std::lround(half_a_period / star.parameters.time_step);
+  const auto advance = [&] {
+    for (long k = 0; k < steps && !star.Trouble(); ++k) star.Step();
+  };
+  advance();
+  double furthest = 0;
+  for (std::size_t i = 0; i < p.Size(); ++i) furthest = std::max(furthest, Length(p.Position(i) - start[p.id[i]]));
+  star.TurnRound();
+  advance();
+  double error = 0;
+  for (std::size_t i = 0; i < p.Size(); ++i) error = std::max(error, Length(p.Position(i) - start[p.id[i]]));
+  return {{"back at the start, greatest distance over the way", star.Trouble() ? kBroken : error / furthest, 1e-12,
+           "0: leapfrog is reversible"}};
+}
+
+}  // namespace sph

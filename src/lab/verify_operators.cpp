@@ -1,0 +1,146 @@
+// Sums over particles against what they stand for: how their errors fall with the spacing, on a lattice and in
+// disorder.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lab/lattice_waves.hpp"
+#include "lab/verification.hpp"
+#include "scenes/build.hpp"
+#include "sph/delta.hpp"
+
+namespace sph {
+namespace {
+
+/// Root mean square of errors over that of what is exact.
+class RelativeRms {
+ public:
+  void Add(Vec2 computed, Vec2 exact) {
+    const Vec2 error = computed - exact;
+    errors_ += Dot(error, error);
+    exact_ += Dot(exact, exact);
+  }
+  double Value() const { return std::sqrt(errors_ / exact_); }
+
+ private:
+  double errors_ = 0, exact_ = 0;
+};
+
+/// Of the flow at the start [Pa/m], by differences of fourth order over a thousandth of its period.
+Vec2 PressureGradient(const ParticleSystemSPH& flow, Vec2 at) {
+  const double d = 1e-3 * flow.parameters_sph.periods.box.Width();
+  const auto along = [&](Vec2 step) {
+    const auto difference = [&](double times) {
+      return flow.FlowAt(at + times * step).pressure - flow.FlowAt(at - times * step).pressure;
+    };
+    return (8 * difference(1) - difference(2)) / (12 * d);
+  };
+  return {along({d, 0}), along({0, d})};
+}
+
+/// Of the density, by the renormalised gradient.
+double GradientError(const ParticleSystemSPH& frozen) {
+  const std::vector<Vec2> computed = dynamic_cast<const Delta&>(frozen).DensityGradient();
+  const EquationOfState& equation = frozen.parameters_sph.equation_of_state;
+  const double c = std::visit([&](const auto& of) { return of.SoundSpeed(ReferenceDensity(equation)); }, equation);
+  RelativeRms error;
+  for (std::size_t i = 0; i < computed.size(); ++i) {
+    error.Add(computed[i], 1 / (c * c) * PressureGradient(frozen, frozen.State().Position(i)));
+  }
+  return error.Value();
+}
+
+double PressureForceError(const ParticleSystemSPH& frozen) {
+  const double rho0 = ReferenceDensity(frozen.parameters_sph.equation_of_state);
+  const Particles& p = frozen.State();
+  RelativeRms error;
+  for (std::size_t i = 0; i < p.Size(); ++i) {
+    error.Add({p.ax[i], p.ay[i]}, -1 / rho0 * PressureGradient(frozen, p.Position(i)));
+  }
+  return error.Value();
+}
+
+/// Of what viscosity adds; lap u = -8 pi^2/L^2 u.
+double ViscousForceError(const ParticleSystemSPH& viscous, const ParticleSystemSPH& ideal) {
+  const ParametersSPH& sph = viscous.parameters_sph;
+  const double side = sph.periods.box.Width();
+  const double decay =
+      8 * std::numbers::pi * std::numbers::pi / (side * side) * sph.viscosity / ReferenceDensity(sph.equation_of_state);
+  const Particles& with = viscous.State();
+  const Particles& without = ideal.State();
+  RelativeRms error;
+  for (std::size_t i = 0; i < with.Size(); ++i) {
+    error.Add({with.ax[i] - without.ax[i], with.ay[i] - without.ay[i]},
+              -decay * viscous.FlowAt(with.Position(i)).velocity);
+  }
+  return error.Value();
+}
+
+/// Of a wave of the length 1/kernel_per_wave smoothing lengths, at the points of a lattice so fine that it leaves no
+/// error of its own.
+double InterpolationError(const RadialKernel& kernel, double h_per_wave) {
+  constexpr int kPerH = 6;  // spacings
+  const int reach = static_cast<int>(kernel.support * kPerH);
+  double sum = 0;
+  for (int row = -reach; row <= reach; ++row) {
+    for (int column = -reach; column <= reach; ++column) {
+      const double x = static_cast<double>(column) / kPerH;
+      const double q = std::hypot(x, static_cast<double>(row) / kPerH);
+      if (q < kernel.support) sum += kernel.value(q) * std::cos(2 * std::numbers::pi * h_per_wave * x);
+    }
+  }
+  return std::abs(1 - sum / (kPerH * kPerH));
+}
+
+double WorstOfKernels(double h_per_wave, double h_per_wave_halved) {
+  double worst = 0;
+  for (const RadialKernel& kernel :
+       {CubicSplineOfUnitLength(), WendlandC2OfUnitLength(), WendlandC4OfUnitLength(), QuinticSplineOfUnitLength()}) {
+    worst = std::max(worst, InterpolationError(kernel, h_per_wave_halved) / InterpolationError(kernel, h_per_wave));
+  }
+  return worst;
+}
+
+}  // namespace
+
+SceneRequest FrozenVortices(const std::string& arrange, std::size_t particles, const std::string& viscosity) {
+  SceneRequest request;
+  request.scene = "taylor-green";
+  request.particles = particles;
+  request.settings = {"fluid.arrange=" + arrange, "forces.viscosity=" + viscosity, "method.sound_damping=0",
+                      "method.shifting=off", "method.time_step=1e-9"};
+  return request;
+}
+
+/// The vortices at 25 x 25, 50 x 50 and 100 x 100 (the system given) particles, on a lattice and moved by up to a tenth
+/// of the spacing, after a step in which nothing moves.
+std::vector<Verdict> MeasureOperators(ParticleSystemSPH& system) {
+  const auto after_a_step = [&](const std::string& arrange, std::size_t particles, const std::string& viscosity) {
+    SceneRequest request = FrozenVortices(arrange, particles, viscosity);
+    request.threads = system.parameters.threads;
+    auto frozen = MakeSystem(LoadScene(request));
+    frozen->Step();
+    return frozen;
+  };
+  const auto gradient_error = [&](const std::string& arrange, std::size_t particles) {
+    return GradientError(*after_a_step(arrange, particles, "0"));
+  };
+  system.Step();
+  const auto viscous = after_a_step("lattice", system.State().Size(), "0.01");
+  const double lattice = gradient_error("lattice", 2500);
+  const double disorder = gradient_error("perturbed", 2500);
+  const std::string fourfold = "second order: 1/4";
+  return {
+      {"wave summed with any kernel, h halved, fine lattice", WorstOfKernels(0.05, 0.025), 0.26, fourfold},
+      {"gradient of density, lattice, 50 x 50 over 25 x 25", lattice / gradient_error("lattice", 625), 0.28, fourfold},
+      {"the same, 100 x 100 over 50 x 50", GradientError(system) / lattice, 0.28, fourfold},
+      {"the same in disorder, 50 x 50 over 25 x 25", disorder / gradient_error("perturbed", 625), 0.28, fourfold},
+      {"the same in disorder, 100 x 100 over 50 x 50", gradient_error("perturbed", 10'000) / disorder, 0.28, fourfold},
+      {"pressure force, lattice, 100 x 100, relative error", PressureForceError(system), 0.01,
+       "exact; what h = 2.8 dx leaves at any spacing"},
+      {"viscous force, lattice, 100 x 100, relative error", ViscousForceError(*viscous, system), 0.01,
+       "exact; what h = 2.8 dx leaves at any spacing"},
+  };
+}
+
+}  // namespace sph
