@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/error.hpp"
 #include "sph/delta.hpp"
@@ -27,9 +28,8 @@ double EvenSpacing(const Block& fluid) { return std::sqrt(fluid.region.Area() / 
 Block BoxAround(const Block& fluid) {
   Block block;
   block.region.box = fluid.region.Bounds();
-  const double spacing = EvenSpacing(fluid);
-  const double sites = block.region.Area() / (spacing * spacing);
-  block.particles = fluid.region.radius > 0 ? static_cast<std::size_t>(std::ceil(sites)) : fluid.particles;
+  const double areas = fluid.region.radius > 0 ? 4 / std::numbers::pi : 1;  // of the box over the region's
+  block.particles = static_cast<std::size_t>(std::ceil(areas * static_cast<double>(fluid.particles)));
   return block;
 }
 
