@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds with tests, runs them all as users have them (preset release), then the quick ones again
-# under AddressSanitizer and UndefinedBehaviorSanitizer (preset dev), those of threads under ThreadSanitizer (preset tsan), and
-# the fuzzers for a short while (preset fuzz). Arguments go to ctest; with any, the last two are left out. Stops where something
-# fails.
+# under AddressSanitizer and UndefinedBehaviorSanitizer (preset dev), the fuzzers for a short while, and the tests of threads under
+# ThreadSanitizer (preset tsan). Arguments go to ctest; with any, the last two are left out. Stops where something fails.
 set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 cd -P "$root"
@@ -29,9 +28,8 @@ run dev -L quick "$@"
 
 # Who asks for certain tests has asked for neither of these.
 [[ $# == 0 ]] || exit 0
+tests/fuzz/run.sh 15
 only_one_at_a_time build tsan threads tests
 # OpenMP's own library is not instrumented: it tells ThreadSanitizer itself what waits for what.
 TSAN_OPTIONS=ignore_noninstrumented_modules=1 run tsan -L quick \
   -R '^(Determinism\.(ADrop|EverySolver)|(DoubleBuffer|FrameRecorder|HandOver|Session|Simulation)\.)'
-only_one_at_a_time build fuzz fuzzers tests
-tests/fuzz/run.sh 15

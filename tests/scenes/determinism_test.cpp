@@ -59,8 +59,7 @@ TEST(Determinism, SlowManyParticlesGiveTheSameBitsWithAnyNumberOfThreads) { Expe
 
 TEST(Determinism, EverySceneGivesTheSameBitsTwiceAndOthersWithAnotherSeed) {
   for (const std::string& scene : SceneNames()) {
-    SceneRequest request;
-    request.scene = scene;
+    SceneRequest request = Request(scene, 1600, 2);
     const std::uint64_t first = HashAfter(50, request);
     EXPECT_EQ(HashAfter(50, request), first) << scene;
     request.seed = 2;
@@ -72,8 +71,7 @@ TEST(Determinism, EverySceneGivesTheSameBitsTwiceAndOthersWithAnotherSeed) {
 
 TEST(Determinism, ResetGivesTheSameBitsAsANewSystem) {
   for (const std::string& scene : SceneNames()) {
-    SceneRequest request;
-    request.scene = scene;
+    const SceneRequest request = Request(scene, 1600, 2);
     const auto system = MakeSystem(LoadScene(request));
     for (int k = 0; k < 10; ++k) system->Step();
     system->DropBlock();

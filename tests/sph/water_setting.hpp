@@ -62,8 +62,8 @@ struct WaterSetting {
       to.assign(from.begin(), from.end());
       to.resize(from.size() + kPadding);
     }
-    WaterInput<Real> Input(const PlainWater& water) const {
-      return {.kernel = water.kernel,
+    WaterInput<Real> Input(const PlainWater& given) const {
+      return {.kernel = given.kernel,
               .volume = volume.data(),
               .excess = excess.data(),
               .pressure = pressure.data(),
@@ -72,13 +72,13 @@ struct WaterSetting {
               .gradient_x = gradient_x.data(),
               .gradient_y = gradient_y.data(),
               .wholeness = wholeness.data(),
-              .rho0 = water.rho0,
-              .diffusion = water.diffusion,
-              .viscosity = water.viscosity,
-              .artificial = water.artificial,
-              .spacing = water.spacing,
-              .sharp_gradient = water.sharp_gradient,
-              .tensile_control = water.tensile_control};
+              .rho0 = given.rho0,
+              .diffusion = given.diffusion,
+              .viscosity = given.viscosity,
+              .artificial = given.artificial,
+              .spacing = given.spacing,
+              .sharp_gradient = given.sharp_gradient,
+              .tensile_control = given.tensile_control};
     }
     std::vector<Real> volume, excess, pressure, vx, vy, gradient_x, gradient_y, wholeness;
   };
