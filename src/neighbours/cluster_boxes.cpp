@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/memory.hpp"
+
 namespace sph {
 namespace {
 
@@ -20,9 +22,11 @@ void ClusterBoxes::Update(const ClusterOrder& order, std::span<const double> x, 
   constexpr std::size_t kClustersOfOneThread = 512;  // waking the others costs more than so little work
   const auto clusters = order.Clusters();
   columns_ = order.Columns();
-  boxes_.resize(clusters.size());
-  highest_so_far_.resize(clusters.size());
-  lowest_to_come_.resize(clusters.size());
+  const auto resize = [&](auto& values) {
+    MakeRoom(values, clusters.size());
+    values.resize(clusters.size());
+  };
+  resize(boxes_), resize(highest_so_far_), resize(lowest_to_come_);
   for (auto* values : {&column_x0_, &column_x1_, &rightmost_so_far_, &leftmost_to_come_})
     values->resize(columns_.size());
 #pragma omp parallel for schedule(static) num_threads(threads) if (clusters.size() > kClustersOfOneThread)

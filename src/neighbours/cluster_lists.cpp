@@ -6,6 +6,8 @@
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
 
+#include "base/memory.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace sph {
 namespace HWY_NAMESPACE {
@@ -106,10 +108,8 @@ void ListBlock::Transfer(Archive& archive, std::size_t end) {
 
 void ListBlock::Take(std::span<const std::uint32_t> found) {
   const std::size_t room = found.size() + kPadding;
-  if (numbers.capacity() < room) {
-    numbers = {};  // first, so that old and new never are there together
-    numbers.reserve(room + room / 16);
-  }
+  if (numbers.capacity() < room) numbers = {};  // first, so that old and new never are there together
+  MakeRoom(numbers, room);
   numbers.assign(found.begin(), found.end());
   numbers.resize(room);
 }

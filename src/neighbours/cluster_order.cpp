@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "base/check.hpp"
+#include "base/memory.hpp"
 
 namespace sph {
 namespace {
@@ -80,6 +81,7 @@ void ClusterOrder::Cut(std::span<const double> x, std::span<const double> y, dou
       const bool full =
           clusters_.size() == first_cluster || clusters_.back().count == static_cast<std::uint32_t>(lanes);
       if (full || grown.Width() > longest || grown.Height() > longest) {
+        MakeRoom(clusters_, clusters_.size() + 1);
         clusters_.push_back({k, 0});
         box = {x[k], y[k], x[k], y[k]};
       } else {

@@ -90,15 +90,26 @@ class SceneReader {
 
   /// UsageError naming a key that was given and that the scene's solver does not use.
   void CheckUsed() const {
-    for (const auto& [path, place] : given_) {
-      const SceneKey& key = *FindSceneKey(path);
-      if (key.UsedBy(scene_.solver)) continue;
-      throw UsageError("{}: {} is for solver {}, and solver '{}' does not use it", place, path,
-                       fmt::join(key.solvers, " or "), scene_.solver);
+    for (const auto& [path, place] : given_) CheckUsed(path, place);
+  }
+  /// The same of the keys that are set at the press of a key.
+  void CheckControlsUsed() const {
+    for (const SceneControl& control : scene_.controls) {
+      for (const auto& action : control.actions) {
+        const auto* set = std::get_if<SetAction>(&action);
+        if (set != nullptr) CheckUsed(set->key, fmt::format("{}: key '{}'", source_, control.press));
+      }
     }
   }
 
  private:
+  /// What is no scene key is left to others.
+  void CheckUsed(const std::string& path, const std::string& place) const {
+    const SceneKey* key = FindSceneKey(path);
+    if (key == nullptr || key->UsedBy(scene_.solver)) return;
+    throw UsageError("{}: {} is for solver {}, and solver '{}' does not use it", place, path,
+                     fmt::join(key->solvers, " or "), scene_.solver);
+  }
   /// UsageError if keys of two members of the group were given, as in equation_of_state.tait and
   /// equation_of_state.polytrope.
   void CheckOneOf(const std::string& group) const {
@@ -241,6 +252,7 @@ Scene ParseScene(const std::string& text, const std::string& source, std::span<c
   }
   reader.CheckComplete();
   reader.CheckUsed();
+  reader.CheckControlsUsed();
   SceneReader setter(scene, "--set");
   for (const std::string& setting : settings) setter.Read(ParseSetting(setting));
   setter.CheckUsed();  // by the solver that may be among them

@@ -117,6 +117,11 @@ TEST(SceneChecks, RefuseControlsOfWhatIsNotThere) {
   EXPECT_TRUE(Has(with("{ set = \"forces.damping\", to = -1 }"), {"forces.damping = -1", ">= 0"}));
 }
 
+TEST(SceneChecks, RefuseAControlOfWhatTheSolverDoesNotUse) {
+  const std::string text = kScene + "[[key]]\npress = \"d\"\ndo = [ { set = \"method.diffusion\", to = 0.2 } ]\n";
+  EXPECT_TRUE(Has(Refusal(text), {"FILE: key 'd'", "method.diffusion", "solver delta", "'paper'"}));
+}
+
 TEST(SceneChecks, RefuseAKeyThatWouldLeaveHalfAnEquationOfState) {
   const std::string text =
       kScene + "[[key]]\npress = \"d\"\ndo = [ { set = \"equation_of_state.ideal_gas.k\", to = 2 } ]\n";
