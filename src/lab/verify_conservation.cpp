@@ -46,7 +46,7 @@ std::vector<Verdict> MeasureMomentum(ParticleSystemSPH& system) {
   const Momentum start = MomentumOf(system.State());
   AdvanceTo(system, 0.5);
   const Vec2 change = MomentumOf(system.State()).sum - start.sum;
-  return {{"change of momentum, t = 0.5 s, over sum of m |v|", system.Trouble() ? kBroken : Length(change) / start.size,
+  return {{"change of momentum until t = 0.5 s, relative", system.Trouble() ? kBroken : Length(change) / start.size,
            1e-12, "constant"}};
 }
 
