@@ -5,6 +5,7 @@
 
 #include "lab/verification.hpp"
 #include "sph/delta.hpp"
+#include "sph/turning.hpp"
 
 namespace sph {
 namespace {
@@ -24,22 +25,6 @@ Momentum MomentumOf(const Particles& p) {
   return momentum;
 }
 
-/// A star that can go back the way it came.
-class Returning : public Delta {
- public:
-  Returning(const Parameters& base, const ParametersSPH& sph) : Delta(base, sph) { Reset(); }
-
-  /// The velocity half a step "before" becomes minus the one that would have come half a step after.
-  void TurnRound() {
-    ComputeAccelerations();
-    Particles& p = particles_;
-    for (std::size_t i = 0; i < p.Size(); ++i) {
-      p.vx_prev[i] = -(p.vx_prev[i] + parameters.time_step * p.ax[i]);
-      p.vy_prev[i] = -(p.vy_prev[i] + parameters.time_step * p.ay[i]);
-    }
-  }
-};
-
 }  // namespace
 
 std::vector<Verdict> MeasureMomentum(ParticleSystemSPH& system) {
@@ -53,7 +38,8 @@ std::vector<Verdict> MeasureMomentum(ParticleSystemSPH& system) {
 /// There and back over half a period of the mode that stretches one axis and squeezes the other, omega^2 = 2 lambda:
 /// over more of them particles that collide magnify round-off to any size.
 std::vector<Verdict> MeasureReversal(ParticleSystemSPH& system) {
-  Returning star(system.parameters, system.parameters_sph);
+  Turning<Delta> star(system.parameters, system.parameters_sph);
+  star.Reset();
   const Particles& p = star.State();
   std::vector<Vec2> start(p.Size());
   for (std::size_t i = 0; i < p.Size(); ++i) start[p.id[i]] = p.Position(i);

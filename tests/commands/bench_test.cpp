@@ -20,7 +20,7 @@ TEST(Bench, SlowWritesItsTablesAndItsPlot) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out, Contents(out / "speed.txt") + "\n" + Contents(out / "skips.txt"));
   EXPECT_TRUE(Contents(out / "speed.png").starts_with("\x89PNG"));
-  for (const char* part : {"compiled by ", " -O", "limit: ", "collapse ", "baseline", "double"}) {
+  for (const char* part : {"compiled by ", " with -", " -O", "limit: ", "collapse ", "baseline", "double"}) {
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
   }
   for (const char* file : {"speed.csv", "skips.csv"}) {

@@ -5,26 +5,16 @@
 
 #include "sph/clouds.hpp"
 #include "sph/delta.hpp"
+#include "sph/turning.hpp"
 
 namespace sph {
 
 /// The paper's system with particles given one by one.
-class GivenSystem : public ParticleSystemSPH {
+class GivenSystem : public Turning<ParticleSystemSPH> {
  public:
   GivenSystem(const Parameters& base, const ParametersSPH& sph, Cloud start)
-      : ParticleSystemSPH(base, sph), start_(std::move(start)) {
+      : Turning(base, sph), start_(std::move(start)) {
     Reset();
-  }
-
-  /// From here on the undamped leapfrog goes back the way it came: the velocity half a step "before" is minus the one
-  /// that would have come half a step after.
-  void TurnRound() {
-    ComputeAccelerations();
-    Particles& p = particles_;
-    for (std::size_t i = 0; i < p.Size(); ++i) {
-      p.vx_prev[i] = -(p.vx_prev[i] + parameters.time_step * p.ax[i]);
-      p.vy_prev[i] = -(p.vy_prev[i] + parameters.time_step * p.ay[i]);
-    }
   }
 
  protected:
@@ -39,20 +29,11 @@ class GivenSystem : public ParticleSystemSPH {
 };
 
 /// A liquid whose particles a test sets in motion, and can turn round.
-class GivenLiquid : public Delta {
+class GivenLiquid : public Turning<Delta> {
  public:
   GivenLiquid(const Parameters& base, const ParametersSPH& sph, std::function<Vec2(Vec2)> velocity)
-      : Delta(base, sph), velocity_(std::move(velocity)) {
+      : Turning(base, sph), velocity_(std::move(velocity)) {
     Reset();
-  }
-  /// See GivenSystem::TurnRound.
-  void TurnRound() {
-    ComputeAccelerations();
-    Particles& p = particles_;
-    for (std::size_t i = 0; i < p.Size(); ++i) {
-      p.vx_prev[i] = p.vx[i] = -(p.vx_prev[i] + parameters.time_step * p.ax[i]);
-      p.vy_prev[i] = p.vy[i] = -(p.vy_prev[i] + parameters.time_step * p.ay[i]);
-    }
   }
 
  protected:
