@@ -18,7 +18,7 @@ namespace {
 constexpr char kMagic[] = {'s', 'p', 'h', 'l', 'a', 'b', '\r', '\n'};  // a copy as text would change the line's end
 
 /// To be raised whenever what is saved changes.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 /// Reads as another number where bytes have another order.
 constexpr std::uint32_t kByteOrder = 0x01020304;

@@ -54,6 +54,24 @@ void ClusterBoxes::UpdateColumn(std::size_t column, std::span<const Cluster> clu
   for (std::uint32_t k = last; k-- > first;) lowest_to_come_[k] = lowest = std::min(lowest, boxes_[k].y0);
 }
 
+double ClusterBoxes::Longest() const {
+  double longest = 0;
+  for (const Box& box : boxes_) longest = std::max({longest, box.Width(), box.Height()});
+  return longest;
+}
+
+void ClusterBoxes::Transfer(Archive& archive, std::size_t clusters) {
+  std::vector<double> sides;
+  for (const Box& box : boxes_) sides.insert(sides.end(), {box.x0, box.y0, box.x1, box.y1});
+  archive(sides);
+  if (!archive.Reading()) return;
+  Archive::Require(sides.size() == 4 * clusters);
+  boxes_.clear();
+  for (std::size_t k = 0; k < sides.size(); k += 4) {
+    boxes_.push_back({sides[k], sides[k + 1], sides[k + 2], sides[k + 3]});
+  }
+}
+
 std::size_t ClusterBoxes::Bytes() const {
   return sizeof(Box) * boxes_.capacity() +
          sizeof(double) * (highest_so_far_.capacity() + lowest_to_come_.capacity() + 4 * column_x0_.capacity());

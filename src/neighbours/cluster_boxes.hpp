@@ -9,18 +9,28 @@
 
 namespace sph {
 
+/// The box with `margin` [m] around it.
+inline Box Grown(const Box& box, double margin) {
+  return {box.x0 - margin, box.y0 - margin, box.x1 + margin, box.y1 + margin};
+}
+inline bool Touch(const Box& a, const Box& b) { return a.x0 <= b.x1 && a.x1 >= b.x0 && a.y0 <= b.y1 && a.y1 >= b.y0; }
+
 class ClusterBoxes {
  public:
   /// Boxes [m] of all clusters, and what FindCells needs. x and y are in the order that was cut.
   void Update(const ClusterOrder& order, std::span<const double> x, std::span<const double> y, int threads = 1);
 
   const Box& Of(std::size_t cluster) const { return boxes_[cluster]; }
+  /// Length of the longest side of all boxes [m].
+  double Longest() const;
 
   /// Calls visit(k) for the clusters whose boxes touch `around`, column by column from the bottom up. `hints` remembers
   /// where the last search of a column ended: searches for clusters near each other find their place in a few steps.
   template <typename Visit>
   void FindCells(const Box& around, std::vector<std::uint32_t>& hints, Visit visit) const;
 
+  /// The boxes alone, not what FindCells needs.
+  void Transfer(Archive& archive, std::size_t clusters);
   std::size_t Bytes() const;
 
  private:
@@ -59,8 +69,7 @@ void ClusterBoxes::FindCells(const Box& around, std::vector<std::uint32_t>& hint
     const std::size_t k0 = walk(highest_so_far_, column.first, column.last, hints[c], around.y0);
     hints[c] = static_cast<std::uint32_t>(k0);
     for (std::size_t k = k0; k < column.last && lowest_to_come_[k] <= around.y1; ++k) {
-      const Box& box = boxes_[k];
-      if (box.x0 <= around.x1 && box.x1 >= around.x0 && box.y0 <= around.y1 && box.y1 >= around.y0) visit(k);
+      if (Touch(boxes_[k], around)) visit(k);
     }
   }
 }

@@ -6,7 +6,10 @@
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
 
+#include <algorithm>
+
 #include "base/memory.hpp"
+#include "neighbours/coordinates-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sph {
@@ -21,55 +24,52 @@ HWY_INLINE V Beyond(D d, V offset_from_centre, V half_width) {
   return hn::Max(hn::Sub(hn::Abs(offset_from_centre), half_width), hn::Zero(d));
 }
 
-/// x - centre in lanes of Real; exact for fixed-point coordinates.
-HWY_INLINE auto Offset(hn::ScalableTag<float> d, const std::int32_t* x, std::int32_t centre) {
-  const hn::RebindToSigned<decltype(d)> di;
-  return hn::ConvertTo(d, hn::Sub(hn::LoadU(di, x), hn::Set(di, centre)));
-}
-HWY_INLINE auto Offset(hn::ScalableTag<double> d, const double* x, double centre) {
-  return hn::Sub(hn::LoadU(d, x), hn::Set(d, centre));
-}
-
 template <typename Real>
-void Find(const ClusterSet& own, const ClusterSets& others, const Positions<Real>& positions, double support,
-          double reach, ListBlock& block) {
+void Find(const ClusterSet& own, const ClusterSets& others, const Positions<Real>& positions, const ListReach& reach,
+          ListBlock& block) {
   const hn::ScalableTag<Real> d;
   const hn::Rebind<std::uint32_t, decltype(d)> du;
   const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
-  const double per_unit = 1 / Positions<Real>::Unit(support);
-  // A little further than asked for, against the rounding of the conversion to Real.
-  const auto reach_units = static_cast<Real>(reach * per_unit * (1 + 1e-6));
-  const auto reach2 = hn::Set(d, reach_units * reach_units);
+  const double per_unit = 1 / Positions<Real>::Unit(reach.support);
   // Found in here and copied, so that the block's own room is hardly more than it needs.
   thread_local std::vector<std::uint32_t> numbers;
   std::uint32_t found = 0;
   block.coarse = true;
   block.begin.assign(block.last - block.first + 1, 0);
+  block.reach.assign(block.last - block.first, 1);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     const Box& box = own.boxes->Of(k);
-    const Box around{box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach};
+    const ClusterCourse& course = own.courses[k];
     const auto x = Positions<Real>::ToCoordinate(box.Centre().x, per_unit);
     const auto y = Positions<Real>::ToCoordinate(box.Centre().y, per_unit);
     const auto half_width = hn::Set(d, static_cast<Real>(0.5 * box.Width() * per_unit));
     const auto half_height = hn::Set(d, static_cast<Real>(0.5 * box.Height() * per_unit));
-    const auto add_near = [&](const Cluster& other, std::uint32_t first) HWY_ATTR {
+    double longest = reach.support;
+    const auto add_near = [&](const Cluster& other, std::uint32_t first, double upto) HWY_ATTR {
       if (numbers.size() < found + lanes) numbers.resize(2 * std::size_t{found + lanes});
-      const auto dx = Beyond(d, Offset(d, positions.X() + first, x), half_width);
-      const auto dy = Beyond(d, Offset(d, positions.Y() + first, y), half_height);
-      const auto within = hn::Lt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), reach2);
+      // A little further than asked for, against the rounding of the conversion to Real.
+      const auto units = static_cast<Real>(upto * per_unit * (1 + 1e-6));
+      const auto dx = Beyond(d, Difference(d, LoadCoordinates(d, positions.X() + first), x), half_width);
+      const auto dy = Beyond(d, Difference(d, LoadCoordinates(d, positions.Y() + first), y), half_height);
+      const auto within = hn::Lt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), hn::Set(d, units * units));
       // The same lanes as a mask of the numbers, which are of 32 bits in either precision.
       HWY_ALIGN std::uint8_t bits[8] = {};
       hn::StoreMaskBits(d, hn::And(within, hn::FirstN(d, other.count)), bits);
       found += static_cast<std::uint32_t>(
           hn::CompressStore(hn::Iota(du, first), hn::LoadMaskBits(du, bits), du, numbers.data() + found));
     };
+    const double greatest = reach.support + TravelOf(course, reach.horizon) + reach.greatest_travel;
     for (std::size_t set = 0; set < others.size(); ++set) {
       const ClusterSet& other = others[set];
       if (other.clusters.empty()) continue;
-      other.boxes->FindCells(around, block.hints[set], [&](std::size_t near) {
-        add_near(other.clusters[near], other.first + other.clusters[near].first);
+      other.boxes->FindCells(Grown(box, greatest), block.hints[set], [&](std::size_t near) {
+        const double upto = reach.support + ClosingOf(course, other.courses[near], reach.horizon);
+        if (!Touch(Grown(box, upto), other.boxes->Of(near))) return;
+        longest = std::max(longest, upto);
+        add_near(other.clusters[near], other.first + other.clusters[near].first, upto);
       });
     }
+    block.reach[k - block.first] = static_cast<float>(longest / reach.support * (1 + 1e-6));
     block.begin[k - block.first + 1] = found;
   }
   block.Take(std::span(numbers).first(found));
@@ -80,13 +80,13 @@ void Find(const ClusterSet& own, const ClusterSets& others, const Positions<Real
 int FloatLanes() { return static_cast<int>(hn::Lanes(hn::ScalableTag<float>())); }
 int DoubleLanes() { return static_cast<int>(hn::Lanes(hn::ScalableTag<double>())); }
 
-void FindFloat(const ClusterSet& own, const ClusterSets& others, const Positions<float>& positions, double support,
-               double reach, ListBlock& block) {
-  Find<float>(own, others, positions, support, reach, block);
+void FindFloat(const ClusterSet& own, const ClusterSets& others, const Positions<float>& positions,
+               const ListReach& reach, ListBlock& block) {
+  Find<float>(own, others, positions, reach, block);
 }
-void FindDouble(const ClusterSet& own, const ClusterSets& others, const Positions<double>& positions, double support,
-                double reach, ListBlock& block) {
-  Find<double>(own, others, positions, support, reach, block);
+void FindDouble(const ClusterSet& own, const ClusterSets& others, const Positions<double>& positions,
+                const ListReach& reach, ListBlock& block) {
+  Find<double>(own, others, positions, reach, block);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -97,10 +97,11 @@ HWY_AFTER_NAMESPACE();
 namespace sph {
 
 void ListBlock::Transfer(Archive& archive, std::size_t end) {
-  archive(first, last, coarse, begin, numbers);
+  archive(first, last, coarse, reach, begin, numbers);
   if (!archive.Reading()) return;
   for (auto& of_set : hints) of_set.clear();
   Archive::Require(last >= first && begin.size() == std::size_t{last - first} + 1 && begin.front() == 0);
+  Archive::Require(reach.size() == std::size_t{last - first});
   for (std::size_t k = 1; k < begin.size(); ++k) Archive::Require(begin[k - 1] <= begin[k]);
   Archive::Require(numbers.size() >= begin.back() + kPadding);
   for (const std::uint32_t number : numbers) Archive::Require(number < end);
@@ -130,13 +131,13 @@ int Lanes<double>() {
 
 template <>
 void FindNeighbours<float>(const ClusterSet& own, const ClusterSets& others, const Positions<float>& positions,
-                           double support, double reach, ListBlock& block) {
-  HWY_DYNAMIC_DISPATCH(FindFloat)(own, others, positions, support, reach, block);
+                           const ListReach& reach, ListBlock& block) {
+  HWY_DYNAMIC_DISPATCH(FindFloat)(own, others, positions, reach, block);
 }
 template <>
 void FindNeighbours<double>(const ClusterSet& own, const ClusterSets& others, const Positions<double>& positions,
-                            double support, double reach, ListBlock& block) {
-  HWY_DYNAMIC_DISPATCH(FindDouble)(own, others, positions, support, reach, block);
+                            const ListReach& reach, ListBlock& block) {
+  HWY_DYNAMIC_DISPATCH(FindDouble)(own, others, positions, reach, block);
 }
 
 }  // namespace sph

@@ -46,7 +46,6 @@ void ClusterOrder::Sort(std::span<const double> x, std::span<const double> y, do
   SPH_CHECK(spacing > 0 && support > 0 && lanes > 0, "spacing = {}, support = {}, lanes = {}", spacing, support, lanes);
   const std::size_t n = x.size();
   order_.resize(n);
-  bin_.resize(n);
   column_begin_.assign(1, 0);
   if (n == 0) return;
   // Bins of a quarter of a spacing put a column's particles in order well enough for compact clusters.
@@ -58,15 +57,13 @@ void ClusterOrder::Sort(std::span<const double> x, std::span<const double> y, do
   const auto column_count = static_cast<std::uint32_t>(columns.bins);
 
   begin_.assign(static_cast<std::size_t>(column_count) * row_count + 1, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    bin_[i] = columns.Bin(x[i]) * row_count + rows.Bin(y[i]);
-    ++begin_[bin_[i] + 1];
-  }
+  const auto bin_of = [&](std::size_t i) { return columns.Bin(x[i]) * row_count + rows.Bin(y[i]); };
+  for (std::size_t i = 0; i < n; ++i) ++begin_[bin_of(i) + 1];
   for (std::size_t b = 1; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
   for (std::uint32_t c = 1; c <= column_count; ++c) {
     column_begin_.push_back(begin_[static_cast<std::size_t>(c) * row_count]);
   }
-  for (std::size_t i = 0; i < n; ++i) order_[begin_[bin_[i]]++] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < n; ++i) order_[begin_[bin_of(i)]++] = static_cast<std::uint32_t>(i);
 }
 
 void ClusterOrder::Cut(std::span<const double> x, std::span<const double> y, double support, int lanes) {
@@ -122,7 +119,7 @@ void ClusterOrder::Transfer(Archive& archive, std::size_t particles) {
 }
 
 std::size_t ClusterOrder::Bytes() const {
-  return sizeof(std::uint32_t) * (begin_.capacity() + bin_.capacity() + order_.capacity() + column_begin_.capacity()) +
+  return sizeof(std::uint32_t) * (begin_.capacity() + order_.capacity() + column_begin_.capacity()) +
          sizeof(Cluster) * clusters_.capacity() + sizeof(Column) * columns_.capacity();
 }
 

@@ -27,7 +27,7 @@ struct Column {
 /// longer than kLongestInSupports, so that differences of positions within a cluster's reach stay small numbers.
 class ClusterOrder {
  public:
-  static constexpr double kLongestInSupports = 4;
+  static constexpr double kLongestInSupports = 3;
 
   /// Finds columns and order for particles about `spacing` [m] apart. Memory stays in proportion to the number of
   /// particles, however far some of them have escaped; some may even be nowhere (not a number, infinite).
@@ -48,7 +48,6 @@ class ClusterOrder {
 
  private:
   std::vector<std::uint32_t> begin_;         // [bins + 1]: first particle of each bin, column by column
-  std::vector<std::uint32_t> bin_;           // [particles]
   std::vector<std::uint32_t> order_;         // [particles]
   std::vector<std::uint32_t> column_begin_;  // [columns + 1]: first particle of each column
   std::vector<Cluster> clusters_;

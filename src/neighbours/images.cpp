@@ -36,13 +36,15 @@ double Coordinate(const AxisEnds& ends, ImageOf image, double at) {
   return at;
 }
 
-/// The images that a coordinate has beside itself, for particles within `margin` of an end.
+/// The images that a coordinate has beside itself, for particles within `margin` of an end, or as far again of a seam,
+/// which others may cross.
 struct Beside {
   ImageOf images[2];
   int count = 0;
 };
-Beside ImagesOf(const AxisEnds& ends, double margin, double at) {
+Beside ImagesOf(const AxisEnds& ends, double margin, double travel, double at) {
   Beside beside;
+  if (ends.periodic) margin = std::min(margin + travel, ends.high - ends.low);
   if (at < ends.low + margin) beside.images[beside.count++] = ends.periodic ? ImageOf::kPeriodUp : ImageOf::kMirrorLow;
   if (at > ends.high - margin)
     beside.images[beside.count++] = ends.periodic ? ImageOf::kPeriodDown : ImageOf::kMirrorHigh;
@@ -51,28 +53,29 @@ Beside ImagesOf(const AxisEnds& ends, double margin, double at) {
 
 }  // namespace
 
-void Images::Find(const Ends& ends, double reach, std::span<const double> x, std::span<const double> y) {
+void Images::Find(const Ends& ends, double support, double travel, std::span<const double> x,
+                  std::span<const double> y) {
   sources_.clear();
   in_x_.clear();
   in_y_.clear();
   if (!ends.Any()) return;
   for (const AxisEnds& axis : {ends.x, ends.y}) {
-    SPH_CHECK(!axis.periodic || axis.high - axis.low > 2 * reach, "a period of {} m is too short for a reach of {} m",
-              axis.high - axis.low, reach);
+    SPH_CHECK(!axis.periodic || axis.high - axis.low > 2 * support, "a period of {} m is too short for a reach of {} m",
+              axis.high - axis.low, support);
   }
   double drift = 0;  // [m], of the particle furthest out
   for (std::size_t i = 0; i < x.size(); ++i) {
     drift = std::max({drift, ends.x.low - x[i], x[i] - ends.x.high, ends.y.low - y[i], y[i] - ends.y.high});
   }
-  const double margin = reach + drift;
+  const double margin = support + travel + drift;
   const auto add = [&](std::size_t i, ImageOf image_x, ImageOf image_y) {
     sources_.push_back(static_cast<std::uint32_t>(i));
     in_x_.push_back(image_x);
     in_y_.push_back(image_y);
   };
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const Beside beside_x = ImagesOf(ends.x, margin, x[i]);
-    const Beside beside_y = ImagesOf(ends.y, margin, y[i]);
+    const Beside beside_x = ImagesOf(ends.x, margin, travel, x[i]);
+    const Beside beside_y = ImagesOf(ends.y, margin, travel, y[i]);
     for (int a = 0; a < beside_x.count; ++a) add(i, beside_x.images[a], ImageOf::kSame);
     for (int b = 0; b < beside_y.count; ++b) add(i, ImageOf::kSame, beside_y.images[b]);
     for (int a = 0; a < beside_x.count; ++a) {

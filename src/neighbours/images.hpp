@@ -44,13 +44,15 @@ struct Ends {
 
 /// How one coordinate of an image comes from its source's.
 enum class ImageOf : std::uint8_t { kSame, kPeriodUp, kPeriodDown, kMirrorLow, kMirrorHigh };
+inline bool Mirrored(ImageOf image) { return image == ImageOf::kMirrorLow || image == ImageOf::kMirrorHigh; }
 
 /// Copies of particles: image k is of particle Sources()[k].
 class Images {
  public:
-  /// Finds every image within `reach` [m] of a particle. Particles may have drifted beyond the ends, but not far.
-  /// Precondition: periodic ends are more than twice the reach apart.
-  void Find(const Ends& ends, double reach, std::span<const double> x, std::span<const double> y);
+  /// Finds every image that is within `support` [m] of a particle, or will be before particles have travelled further
+  /// than `travel` [m]. Particles may have drifted beyond the ends, but not far. Precondition: periodic ends are more
+  /// than twice the support apart.
+  void Find(const Ends& ends, double support, double travel, std::span<const double> x, std::span<const double> y);
   /// Image k becomes the former image order[k].
   void Reorder(std::span<const std::uint32_t> order);
   /// Where the images of these particles are with these ends, which may have moved a little [m]; overwritten.

@@ -9,26 +9,24 @@ namespace {
 /// Clusters grow as their particles drift apart; lists that are longer by this factor cost more than sorting now and
 /// then. Measured from 1.04 to 1.15.
 constexpr double kLongestList = 1.05;
+/// In supports, and one more than when they were cut. Beyond it Positions might take far particles for near ones.
+constexpr double kLongestCluster = ClusterOrder::kLongestInSupports + 1;
 
-/// The skin that costs least [m]. Passes over lists with reach R (1 + s) take longer in proportion to 1 + 1.1 s (the
-/// area within reach of a square cluster of 16 particles), and lists are made anew every s R/(2 u) steps, u being the
-/// travel per step. The least of P 1.1 s + B 2 u/(s R) is at s = sqrt(2 B u/(1.1 P R)); making the lists costs B = 0.28
-/// P, the two passes.
-double BestSkin(double support, double travel_per_step) {
-  const double skin = std::sqrt(0.5 * travel_per_step * support);
-  const double steps = skin / (2 * travel_per_step);
-  return travel_per_step > 0 && steps < 1.5 ? 0.0 : std::clamp(skin, 0.001 * support, 0.3 * support);
+/// How far it gets in that time, or stays from there [m].
+double GreatestTravel(std::span<const ClusterCourse> courses, double horizon) {
+  double greatest = 0;
+  for (const ClusterCourse& course : courses) greatest = std::max(greatest, TravelOf(course, horizon));
+  return greatest;
 }
 
 }  // namespace
 
-SearchTask NeighbourSearch::NextTask(double travelled, double support) {
-  travelled_ = travelled;
+SearchTask NeighbourSearch::NextTask(double time, double support) {
   if (!sorted_ || support != support_ || pairs_per_area_ > kLongestList * pairs_per_area_when_sorted_) {
     support_ = support;
     return SearchTask::kSort;
   }
-  return !keep_lists_ || 2 * (travelled_ - travelled_when_made_) > skin_ ? SearchTask::kLists : SearchTask::kNothing;
+  return !keep_lists_ || courses_.Over(time) ? SearchTask::kLists : SearchTask::kNothing;
 }
 
 void NeighbourSearch::Sort(std::span<const double> x, std::span<const double> y, double spacing, int lanes) {
@@ -39,16 +37,20 @@ void NeighbourSearch::Sort(std::span<const double> x, std::span<const double> y,
 
 void NeighbourSearch::Cut(std::span<const double> x, std::span<const double> y) {
   order_.Cut(x, y, support_, lanes_);
+  boxes_.Update(order_, x, y, threads_);
   sorted_ = just_sorted_ = true;
   ++sorts_;
 }
 
-void NeighbourSearch::Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step,
-                              double least_skin) {
+bool NeighbourSearch::AreCompact(std::span<const double> x, std::span<const double> y) {
   boxes_.Update(order_, x, y, threads_);
-  skin_ = std::max(least_skin, keep_lists_ ? BestSkin(support_, travel_per_step) : 0);
-  if (ends_.Any() || Extras() > 0) FindExtras(x, y);
-  travelled_when_made_ = travelled_;
+  return boxes_.Longest() <= kLongestCluster * support_;
+}
+
+void NeighbourSearch::Prepare(const Movement& now, double least_horizon, double ends_travel) {
+  courses_.SetOut(Clusters(), boxes_, now, support_, keep_lists_, least_horizon, !just_sorted_, threads_);
+  greatest_travel_ = GreatestTravel(courses_.All(), courses_.Horizon()) + ends_travel;
+  if (ends_.Any() || Extras() > 0) FindExtras(now.x, now.y, ends_travel);
   EmptyBlocks(blocks_, order_.Clusters().size());
   EmptyBlocks(wall_blocks_, wall_clusters_.order.Clusters().size());
 }
@@ -72,14 +74,16 @@ void NeighbourSearch::Arrange(Extra& extra, Place place, Reorder reorder) {
   extra.boxes.Update(extra.order, extra.x, extra.y);
 }
 
-void NeighbourSearch::FindExtras(std::span<const double> x, std::span<const double> y) {
+void NeighbourSearch::FindExtras(std::span<const double> x, std::span<const double> y, double ends_travel) {
   const Ends ends = ends_.WithImages();
   // The fluid that wall particles near a seam see is beyond it, as far again.
-  images_.Find(ends, ends_.site_spacing > 0 ? 2 * Reach() : Reach(), x, y);
+  const double far = ends_.site_spacing > 0 ? 2 : 1;
+  images_.Find(ends, far * support_, far * greatest_travel_, x, y);
   Arrange(
       image_clusters_, [&] { images_.Place(ends, x, y, image_clusters_.x, image_clusters_.y); },
       [&](std::span<const std::uint32_t> order) { images_.Reorder(order); });
-  wall_sites_.Find(ends_, Reach(), x, y);
+  SetImagesOnCourse(ends_travel);
+  wall_sites_.Find(ends_, support_ + greatest_travel_, x, y);
   Arrange(
       wall_clusters_,
       [&] {
@@ -88,15 +92,38 @@ void NeighbourSearch::FindExtras(std::span<const double> x, std::span<const doub
         wall_sites_.Place(ends_, wall_clusters_.x, wall_clusters_.y);
       },
       [&](std::span<const std::uint32_t> order) { wall_sites_.Reorder(order); });
+  wall_clusters_.courses.assign(wall_clusters_.order.Clusters().size(), {0, 0, static_cast<float>(ends_travel)});
+}
+
+/// An image goes where its particle's cluster takes it, turned round in mirrors.
+void NeighbourSearch::SetImagesOnCourse(double ends_travel) {
+  const auto clusters = order_.Clusters();
+  const auto course_of = [&](std::size_t image) {
+    const auto after = std::ranges::upper_bound(clusters, images_.Sources()[image], {}, &Cluster::first);
+    ClusterCourse course = courses_.All()[static_cast<std::size_t>(after - clusters.begin()) - 1];
+    if (Mirrored(images_.InX()[image])) course.vx = -course.vx;
+    if (Mirrored(images_.InY()[image])) course.vy = -course.vy;
+    return course;
+  };
+  image_clusters_.courses.clear();
+  for (const Cluster& cluster : image_clusters_.order.Clusters()) {
+    ClusterCourse common = course_of(cluster.first);
+    for (std::uint32_t k = cluster.first; k < cluster.first + cluster.count; ++k) {
+      const ClusterCourse own = course_of(k);
+      const double apart = TravelOf({own.vx - common.vx, own.vy - common.vy, own.stray}, courses_.Horizon());
+      common.stray = std::max(common.stray, static_cast<float>(apart + ends_travel));
+    }
+    image_clusters_.courses.push_back(common);
+  }
 }
 
 ClusterSets NeighbourSearch::Sets() const {
   const auto clusters = order_.Clusters();
   const std::uint32_t particles = clusters.empty() ? 0 : clusters.back().first + clusters.back().count;
   const auto walls = particles + static_cast<std::uint32_t>(images_.Size());
-  return {ClusterSet{clusters, &boxes_, 0},
-          {image_clusters_.order.Clusters(), &image_clusters_.boxes, particles},
-          {wall_clusters_.order.Clusters(), &wall_clusters_.boxes, walls}};
+  return {ClusterSet{clusters, &boxes_, courses_.All(), 0},
+          {image_clusters_.order.Clusters(), &image_clusters_.boxes, image_clusters_.courses, particles},
+          {wall_clusters_.order.Clusters(), &wall_clusters_.boxes, wall_clusters_.courses, walls}};
 }
 
 void NeighbourSearch::PlaceExtras(const Ends& ends, std::span<const double> x, std::span<const double> y,
@@ -108,20 +135,25 @@ void NeighbourSearch::PlaceExtras(const Ends& ends, std::span<const double> x, s
 void NeighbourSearch::Finish() {
   ++lists_made_;
   pairs_ = 0;
-  for (const ListBlock& block : blocks_) pairs_ += block.begin.back();
-  const double relative_reach = Reach() / support_;
-  pairs_per_area_ = static_cast<double>(pairs_) / (relative_reach * relative_reach);
+  double areas = 0;  // within reach of a cluster, over that within the support
+  for (const ListBlock& block : blocks_) {
+    pairs_ += block.begin.back();
+    for (const float reach : block.reach) areas += static_cast<double>(reach) * static_cast<double>(reach);
+  }
+  pairs_per_area_ = pairs_ == 0 ? 0 : static_cast<double>(pairs_) / (areas / static_cast<double>(Clusters().size()));
   if (just_sorted_) pairs_per_area_when_sorted_ = pairs_per_area_;
   just_sorted_ = false;
 }
 
 void NeighbourSearch::Transfer(Archive& archive, std::size_t particles, int lanes) {
-  archive(sorted_, just_sorted_, lanes_, spacing_, support_, skin_, travelled_, travelled_when_made_);
+  archive(sorted_, just_sorted_, lanes_, spacing_, support_, greatest_travel_);
   archive(pairs_, pairs_per_area_, pairs_per_area_when_sorted_, lists_made_, sorts_);
   archive(ends_.x.low, ends_.x.high, ends_.x.periodic, ends_.y.low, ends_.y.high, ends_.y.periodic);
   archive(ends_.site_spacing);
   if (!sorted_) return;
   order_.Transfer(archive, particles);
+  boxes_.Transfer(archive, order_.Clusters().size());
+  courses_.Transfer(archive, order_.Clusters().size(), particles);
   images_.Transfer(archive, particles);
   image_clusters_.order.Transfer(archive, images_.Size());
   wall_sites_.Transfer(archive);
@@ -143,13 +175,15 @@ void NeighbourSearch::Transfer(Archive& archive, std::size_t particles, int lane
 }
 
 std::size_t NeighbourSearch::Bytes() const {
-  std::size_t bytes = order_.Bytes() + boxes_.Bytes() + images_.Bytes() + wall_sites_.Bytes();
+  std::size_t bytes = order_.Bytes() + boxes_.Bytes() + courses_.Bytes() + images_.Bytes() + wall_sites_.Bytes();
   for (const Extra* extra : {&image_clusters_, &wall_clusters_}) {
-    bytes += extra->order.Bytes() + extra->boxes.Bytes() + 2 * sizeof(double) * extra->x.capacity();
+    bytes += extra->order.Bytes() + extra->boxes.Bytes() + 2 * sizeof(double) * extra->x.capacity() +
+             sizeof(ClusterCourse) * extra->courses.capacity();
   }
   for (const auto* blocks : {&blocks_, &wall_blocks_}) {
     for (const ListBlock& block : *blocks) {
       bytes += sizeof(std::uint32_t) * (block.begin.capacity() + block.numbers.capacity());
+      bytes += sizeof(float) * block.reach.capacity();
       for (const auto& hints : block.hints) bytes += sizeof(std::uint32_t) * hints.capacity();
     }
   }

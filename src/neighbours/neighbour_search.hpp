@@ -1,11 +1,12 @@
-// Keeps clusters and their lists fit for particles that move: lists with a skin, made anew only when a particle may
-// have crossed it.
+// Keeps clusters and their lists fit for particles that move: lists that look ahead, made anew only when a particle has
+// left the course that they foresaw.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "neighbours/cluster_boxes.hpp"
+#include "neighbours/cluster_courses.hpp"
 #include "neighbours/cluster_lists.hpp"
 #include "neighbours/cluster_order.hpp"
 #include "neighbours/images.hpp"
@@ -15,7 +16,7 @@ namespace sph {
 
 /// What to do before the next passes.
 enum class SearchTask {
-  kNothing,  ///< the lists still hold everything within reach
+  kNothing,  ///< the lists hold everything within reach, if all have kept to their courses
   kLists,    ///< find the neighbours again
   kSort,     ///< put the particles in order first: Sort, reorder, then find
 };
@@ -42,9 +43,13 @@ class NeighbourSearch {
   void PlaceExtras(const Ends& ends, std::span<const double> x, std::span<const double> y, std::vector<double>& extra_x,
                    std::vector<double>& extra_y) const;
 
-  /// @param travelled  how far a particle may have gone since the start [m]
   /// @param support    reach of the kernel [m]
-  SearchTask NextTask(double travelled, double support);
+  SearchTask NextTask(double time, double support);
+  /// Whether kNothing is true [@param positions at that time].
+  template <typename Real>
+  bool Hold(const Positions<Real>& positions, double time) {
+    return courses_.Hold(Clusters(), boxes_, positions, support_, time, threads_);
+  }
 
   /// First part of kSort: columns and order for particles about `spacing` [m] apart. The caller reorders its arrays by
   /// Order().
@@ -53,12 +58,15 @@ class NeighbourSearch {
   /// Second part, with the reordered positions.
   void Cut(std::span<const double> x, std::span<const double> y);
 
-  /// Boxes, skin and empty blocks for the lists; then FindNeighbours is to be called with Reach() for every block,
-  /// those of the wall particles, too, and Finish.
-  /// @param travel_per_step  how far the fastest particle goes in a step [m]
-  /// @param least_skin  the lists shall reach at least this far beyond the support [m]
-  void Prepare(std::span<const double> x, std::span<const double> y, double travel_per_step, double least_skin = 0);
-  double Reach() const { return support_ + skin_; }
+  /// Finds out where the clusters are. Whether they are compact enough for lists; else the task is kSort, after which
+  /// they are.
+  bool AreCompact(std::span<const double> x, std::span<const double> y);
+  /// Courses and empty blocks for lists of compact clusters; then FindNeighbours is to be called with CurrentReach()
+  /// for every block, those of the wall particles, too, and Finish.
+  /// @param least_horizon  lists shall hold for so long before and after `now` [s]
+  /// @param ends_travel  how far images and wall particles may get until then by the motion of walls [m]
+  void Prepare(const Movement& now, double least_horizon = 0, double ends_travel = 0);
+  ListReach CurrentReach() const { return {support_, courses_.Horizon(), greatest_travel_}; }
   void Finish();
 
   /// The lists of these particles and all that they depend on. Read where a register has another number of `lanes` than
@@ -74,7 +82,7 @@ class NeighbourSearch {
   /// The lists of the wall particles.
   std::vector<ListBlock>& WallBlocks() { return wall_blocks_; }
   std::span<const ListBlock> WallBlocks() const { return wall_blocks_; }
-  double Skin() const { return skin_; }  ///< [m]
+  double Horizon() const { return courses_.Horizon(); }  ///< [s]
   long ListsMade() const { return lists_made_; }
   long Sorts() const { return sorts_; }
   std::size_t Bytes() const;
@@ -85,15 +93,18 @@ class NeighbourSearch {
     std::vector<double> x, y;  // [m]
     ClusterOrder order;
     ClusterBoxes boxes;
+    std::vector<ClusterCourse> courses;
   };
   /// Puts them in order; place() says where they are, reorder(order) changes their order.
   template <typename Place, typename Reorder>
   void Arrange(Extra& extra, Place place, Reorder reorder);
-  void FindExtras(std::span<const double> x, std::span<const double> y);
+  void FindExtras(std::span<const double> x, std::span<const double> y, double ends_travel);
+  void SetImagesOnCourse(double ends_travel);
   void EmptyBlocks(std::vector<ListBlock>& blocks, std::size_t clusters) const;
 
   ClusterOrder order_;
   ClusterBoxes boxes_;
+  ClusterCourses courses_;
   Ends ends_;
   Images images_;
   WallSites wall_sites_;
@@ -106,11 +117,9 @@ class NeighbourSearch {
   int lanes_ = 0;
   double spacing_ = 0;  // as told for the last sort [m]
   double support_ = 0;
-  double skin_ = 0;
-  double travelled_ = 0;  // as told last, and when the lists were made [m]
-  double travelled_when_made_ = 0;
-  std::size_t pairs_ = 0;      // entries of all lists
-  double pairs_per_area_ = 0;  // entries over (reach/support)^2: now, and just after the last sort
+  double greatest_travel_ = 0;  // of anything until the horizon [m]
+  std::size_t pairs_ = 0;       // entries of all lists
+  double pairs_per_area_ = 0;   // entries over the mean of (reach/support)^2: now, and just after the last sort
   double pairs_per_area_when_sorted_ = 0;
   long lists_made_ = 0;
   long sorts_ = 0;

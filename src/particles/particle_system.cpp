@@ -23,7 +23,7 @@ void ParticleSystem::Reset() {
   time_ = 0;
   steps_ = 0;
   previous_step_ = parameters.time_step;
-  deepest_ = last_travel_ = travelled_ = 0;
+  deepest_ = last_travel_ = 0;
   phases_.Clear();
   particles_.Clear();
   notes_.clear();
@@ -214,7 +214,7 @@ std::vector<StepLimit> ParticleSystem::StepLimits() const {
 }
 
 void ParticleSystem::Transfer(Archive& archive) {
-  archive(time_, steps_, previous_step_, deepest_, last_travel_, travelled_);
+  archive(time_, steps_, previous_step_, deepest_);
   archive(parameters.time_step, parameters.caution);
   std::uint64_t walls = parameters.walls.size();
   archive(walls);
@@ -244,7 +244,6 @@ void ParticleSystem::Integrate() {
     }
     previous_step_ = dt;
     last_travel_ = std::sqrt(fastest2) * dt;
-    travelled_ += last_travel_;
     time_ += dt;
     ++steps_;
     const bool in_order = finite && last_travel_ <= LongestMove();

@@ -131,8 +131,6 @@ class ParticleSystem {
   void ForEachChunk(Work work) const;
   /// How far the fastest particle went in the last step [m].
   double LastTravel() const { return last_travel_; }
-  /// The sum of that over all steps: no particle went further since the start [m].
-  double Travelled() const { return travelled_; }
   /// Puts the particles in another order, see Particles::Reorder.
   virtual void Reorder(std::span<const std::uint32_t> order) {
     particles_.Reorder(order, ThreadCount());
@@ -140,11 +138,6 @@ class ParticleSystem {
   }
   /// Called when a step has moved the particles.
   virtual void AfterStep() {}
-  /// To be told when particles are moved by other means than their velocities: how far the one that went furthest [m].
-  void AddTravel(double distance) {
-    last_travel_ += distance;
-    travelled_ += distance;
-  }
   /// Length of the last step [s]; before the first one, of that.
   double LastStep() const { return previous_step_; }
   /// Called when particles were added, removed or moved by other means than a step.
@@ -184,7 +177,6 @@ class ParticleSystem {
   double deepest_ = 0;
   double previous_step_ = 0;  // [s], of the last step
   double last_travel_ = 0;
-  double travelled_ = 0;
   std::vector<ChunkNotes> notes_;  // [chunks], of the last step, whose walls left legal_; empty if they do not hold
   Box legal_;
 };

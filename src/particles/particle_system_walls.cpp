@@ -97,7 +97,6 @@ void ParticleSystem::ReflectFromWalls() {
   const PhaseTimer timer(phases_, "walls");
   Particles& p = particles_;
   const double restitution = parameters.wall.kind == WallKind::kReflect ? parameters.wall.restitution : 0.0;
-  double deepest = 0;  // [m], as far as a particle is put back
   for (const Wall& wall : parameters.walls) {
     auto& position = wall.Vertical() ? p.x : p.y;
     auto& velocity = wall.Vertical() ? p.vx : p.vy;
@@ -105,15 +104,12 @@ void ParticleSystem::ReflectFromWalls() {
     for (std::size_t chunk = 0; chunk < notes_.size(); ++chunk) {
       if (!notes_[chunk].behind_wall) continue;
       for (std::size_t i = chunk * kParticlesPerChunk; i < std::min(p.Size(), (chunk + 1) * kParticlesPerChunk); ++i) {
-        const double depth = wall.Depth(p.Position(i));
-        if (depth <= 0) continue;
-        deepest = std::max(deepest, depth);
+        if (wall.Depth(p.Position(i)) <= 0) continue;
         position[i] = wall.at;
         for (double* v : {&velocity[i], &previous[i]}) *v = wall.velocity - restitution * (*v - wall.velocity);
       }
     }
   }
-  travelled_ += 2 * deepest;  // in x and in y: a corner puts a particle back twice
 }
 
 }  // namespace sph

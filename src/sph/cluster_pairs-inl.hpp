@@ -9,28 +9,13 @@
 
 #include <hwy/highway.h>
 
+#include "neighbours/coordinates-inl.hpp"
 #include "sph/cluster_passes.hpp"
 #include "sph/kernel_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sph {
 namespace HWY_NAMESPACE {
-
-HWY_INLINE auto LoadCoordinates(hn::ScalableTag<float> d, const std::int32_t* x) {
-  return hn::LoadU(hn::RebindToSigned<decltype(d)>(), x);
-}
-HWY_INLINE auto LoadCoordinates(hn::ScalableTag<double> d, const double* x) { return hn::LoadU(d, x); }
-
-/// x_i - x_j for the lanes i; exact for fixed-point coordinates.
-template <class VI>
-HWY_INLINE auto Difference(hn::ScalableTag<float> d, VI x, std::int32_t xj) {
-  const hn::RebindToSigned<decltype(d)> di;
-  return hn::ConvertTo(d, hn::Sub(x, hn::Set(di, xj)));
-}
-template <class V>
-HWY_INLINE V Difference(hn::ScalableTag<double> d, V x, double xj) {
-  return hn::Sub(x, hn::Set(d, xj));
-}
 
 /// The lanes of one cluster against the particles of its list.
 template <typename Real>
@@ -115,17 +100,15 @@ class Refinement {
   using D = hn::ScalableTag<Real>;
   using V = hn::Vec<D>;
 
-  Refinement(const PassInput<Real>& input, const Pairs<Real>& pairs, ListBlock& block)
-      : block_(block), numbers_(block.numbers.data()) {
-    // A little further than the lists' reach, against round-off.
-    const Real reach = pairs.Support() * static_cast<Real>(input.reach / input.support * (1 + 1e-6));
-    reach2_ = reach * reach;
-  }
+  Refinement(const Pairs<Real>& pairs, ListBlock& block)
+      : block_(block), numbers_(block.numbers.data()), support_(pairs.Support()) {}
 
   /// The list of cluster k as it was; to be called for one cluster after the other.
   std::span<const std::uint32_t> Of(std::uint32_t k) {
     const std::uint32_t begin = end_;
     end_ = block_.begin[k - block_.first + 1];
+    const Real reach = support_ * static_cast<Real>(block_.reach[k - block_.first]);
+    reach2_ = reach * reach;
     return {numbers_ + begin, numbers_ + end_};
   }
   HWY_INLINE void Look(std::uint32_t j, V r2) {
@@ -139,6 +122,7 @@ class Refinement {
  private:
   ListBlock& block_;
   std::uint32_t* numbers_;
+  Real support_;
   Real reach2_ = 0;
   std::uint32_t end_ = 0;
   std::uint32_t kept_ = 0;
@@ -150,7 +134,7 @@ void Density(const PassInput<Real>& input, ListBlock& block, double constant, Re
   const Pairs<Real> pairs(input);
   const Kernel<decltype(d)> kernel(d, pairs.Support());
   const auto factor = hn::Set(d, static_cast<Real>(constant));
-  Refinement<Real> refinement(input, pairs, block);
+  Refinement<Real> refinement(pairs, block);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     auto sum = hn::Zero(d);
     const auto list = kRefine ? refinement.Of(k) : block.Of(k);

@@ -12,7 +12,6 @@ template <typename Real>
 struct PassInput {
   const Positions<Real>* positions = nullptr;
   double support = 0;  ///< [m]
-  double reach = 0;    ///< of the lists [m]
   const Real* mass = nullptr;
   double equal_mass = 0;
   std::span<const Cluster> clusters;

@@ -306,24 +306,19 @@ void Delta::AfterStep() {
   Particles& p = particles_;
   const double longest = 0.05 * InitialSpacing();
   const double factor = 2 * Support() * LastTravel();
-  furthest_shift2_.assign(ChunkCount(), 0);
   std::visit(
       [&](const auto& arrays) {
-        ForEachChunk([&](std::size_t chunk, std::size_t first, std::size_t last) {
-          double furthest2 = 0;
+        ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {
           for (std::size_t i = first; i < last; ++i) {
             Vec2 shift = -factor * Vec2{static_cast<double>(arrays.shift_x[i]), static_cast<double>(arrays.shift_y[i])};
             const double square = Dot(shift, shift);
             if (square > longest * longest) shift = longest / std::sqrt(square) * shift;
             p.x[i] += shift.x;
             p.y[i] += shift.y;
-            furthest2 = std::max(furthest2, std::min(square, longest * longest));
           }
-          furthest_shift2_[chunk] = furthest2;
         });
       },
       arrays_);
-  AddTravel(furthest_shift2_.empty() ? 0 : std::sqrt(std::ranges::max(furthest_shift2_)));
 }
 
 std::size_t Delta::Bytes() const {

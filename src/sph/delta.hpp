@@ -40,7 +40,7 @@ class Delta : public ParticleSystemSPH {
   std::optional<Breach> FindBreach() const override;
   std::optional<Breach> FindBrokenStart() const override;
   double StableSoundStep() const override;
-  double LeastSkin() const override { return IsGas() ? 0 : std::min(LastTravel(), Support()); }
+  double ListsHoldBefore() const override { return IsGas() ? 0 : LastStep(); }
   void ResizeArrays(std::size_t n) override;
   void ComputeDensities(ListBlock& block) override;
   void AddSpatialInteraction(const ListBlock& block) override;
@@ -92,7 +92,6 @@ class Delta : public ParticleSystemSPH {
   double density_span_ = 0;       // [s], by which it was advanced last
   long density_step_ = -1;        // the step that density_ is of; -1 at the start, before any forces
   std::vector<double> mid_x_, mid_y_;
-  std::vector<double> furthest_shift2_;  // [chunks] [m^2]
   std::variant<Arrays<float>, Arrays<double>> arrays_;
   std::variant<SurfaceArrays<float>, SurfaceArrays<double>> surface_;  // empty without tension
   std::variant<WallValues<float>, WallValues<double>> wall_values_;    // empty without wall particles

@@ -7,8 +7,6 @@
 namespace sph {
 namespace {
 
-bool Mirrored(ImageOf image) { return image == ImageOf::kMirrorLow || image == ImageOf::kMirrorHigh; }
-
 /// Velocity of the wall that bounds the fluid on this side [m/s].
 Vec2 WallVelocity(std::span<const Wall> walls, bool low, bool vertical) {
   const FluidSide side =

@@ -35,13 +35,13 @@ void Rates(const PassInput<Real>& input, const WaterInput<Real>& water, const Li
   const double slope = Kernel<decltype(d)>::SlopeFactor(input.support, unit);
   const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<Real>(value)); };
   const auto divergence_factor = set(slope);
-  const auto diffusion_factor = set(water.diffusion * slope / unit);
-  const auto metres = set(unit);
+  const auto diffusion_factor = set(2 * water.diffusion * slope / unit);
+  const auto half_unit = set(0.5 * unit);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     const Cluster& cluster = input.clusters[k];
     const auto own = [&](const Real* values) HWY_ATTR { return hn::LoadU(d, values + cluster.first); };
     const auto vx = own(water.vx), vy = own(water.vy), excess = own(water.excess);
-    const auto gx = hn::Mul(own(water.gradient_x), metres), gy = hn::Mul(own(water.gradient_y), metres);
+    const auto gx = hn::Mul(own(water.gradient_x), half_unit), gy = hn::Mul(own(water.gradient_y), half_unit);
     auto divergence = hn::Zero(d), diffusion = hn::Zero(d);
     pairs.ForEach(cluster, block.Of(k), [&](std::uint32_t j, auto dx, auto dy, auto r2) HWY_ATTR {
       const auto weight = hn::Mul(kernel.NegativeSlopeOverR(r2), hn::Set(d, water.volume[j]));
@@ -49,10 +49,10 @@ void Rates(const PassInput<Real>& input, const WaterInput<Real>& water, const Li
       const auto dv = hn::Sub(hn::Set(d, water.vy[j]), vy);
       divergence = hn::MulAdd(weight, hn::MulAdd(du, dx, hn::Mul(dv, dy)), divergence);
       const auto step = hn::Sub(hn::Set(d, water.excess[j]), excess);
-      const auto along_x = hn::MulAdd(hn::Set(d, water.gradient_x[j]), metres, gx);
-      const auto along_y = hn::MulAdd(hn::Set(d, water.gradient_y[j]), metres, gy);
-      const auto psi = hn::MulAdd(along_x, dx, hn::MulAdd(along_y, dy, hn::Add(step, step)));
-      diffusion = hn::MulAdd(weight, psi, diffusion);
+      const auto mean_x = hn::MulAdd(hn::Set(d, water.gradient_x[j]), half_unit, gx);
+      const auto mean_y = hn::MulAdd(hn::Set(d, water.gradient_y[j]), half_unit, gy);
+      const auto half_psi = hn::MulAdd(mean_x, dx, hn::MulAdd(mean_y, dy, step));
+      diffusion = hn::MulAdd(weight, half_psi, diffusion);
     });
     const auto density = hn::Add(excess, set(water.rho0));
     const auto compression = hn::Mul(hn::Mul(density, divergence), divergence_factor);
@@ -79,9 +79,9 @@ class Surroundings {
         lack_x_(xx_),
         lack_y_(xx_) {}
 
-  /// weight = V_j (-W'/r); rise, fall = differences j - i of density and wholeness; bias = 1 + 0.2 (W/W(dx))^4
-  HWY_INLINE void Add(V weight, V dx, V dy, V rise, V fall, V bias) {
-    const V wx = hn::Mul(weight, dx), wy = hn::Mul(weight, dy);
+  /// (wx, wy) = V_j (-W'/r) (dx, dy); rise, fall = differences j - i of density and wholeness; bias = 1 + 0.2
+  /// (W/W(dx))^4
+  HWY_INLINE void Add(V wx, V wy, V dx, V dy, V rise, V fall, V bias) {
     xx_ = hn::MulAdd(wx, dx, xx_);
     xy_ = hn::MulAdd(wx, dy, xy_);
     yy_ = hn::MulAdd(wy, dy, yy_);
@@ -148,18 +148,18 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
   const double unit = Positions<Real>::Unit(input.support);
   const double slope = Kernel<decltype(d)>::SlopeFactor(input.support, unit);
   const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<Real>(value)); };
-  const auto spacing = set(water.spacing / unit);
-  const auto at_spacing = kernel.ValueOf(kernel.At({d, hn::Mul(spacing, spacing)}));
-  const auto per_value_at_spacing = hn::Div(set(1), at_spacing);
-  const auto one = set(1), fifth = set(0.2);
+  const auto one = set(1);
   const auto push_factor = set(slope), drag_factor = set(2 * water.viscosity * slope / unit);
-  const auto brake_factor = set(water.artificial * slope / unit);
+  const auto brake_factor = set(water.artificial / (unit * kernel.Factor() * kernel.Factor()));
+  const auto square_of = [](auto value) HWY_ATTR { return hn::Mul(value, value); };
+  const auto at_spacing = kernel.ValueOf(kernel.At(kernel.DistanceOf(square_of(set(water.spacing / unit)))));
+  const auto bias_factor = hn::Div(set(0.2), square_of(square_of(at_spacing)));
   const double support = pairs.Support();
   const auto flat = set(Kernel<decltype(d)>::kFlat), fall = set(Kernel<decltype(d)>::kFall / (support * support));
   const auto least_inside = set(water.tensile_control ? kInside : std::numeric_limits<double>::infinity());
   const auto push_flat = water.sharp_gradient ? flat : one, push_fall = water.sharp_gradient ? fall : hn::Zero(d);
   const bool refine = block.coarse;
-  Refinement<Real> refinement(input, pairs, block);
+  Refinement<Real> refinement(pairs, block);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     const Cluster& cluster = input.clusters[k];
     const auto own = [&](const Real* values) HWY_ATTR { return hn::LoadU(d, values + cluster.first); };
@@ -168,18 +168,16 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
     const auto pulls = hn::And(hn::Lt(pressure, hn::Zero(d)), hn::Gt(wholeness, least_inside));
     const auto own_pressure = hn::IfThenElse(pulls, hn::Neg(pressure), pressure);
     auto push_x = hn::Zero(d), push_y = hn::Zero(d), drag_x = hn::Zero(d), drag_y = hn::Zero(d);
-    auto brake_x = hn::Zero(d), brake_y = hn::Zero(d);
     Surroundings<decltype(d), Kernel> around(d);
     const auto list = refine ? refinement.Of(k) : block.Of(k);
     pairs.ForEach(cluster, list, [&](std::uint32_t j, auto dx, auto dy, auto r2) HWY_ATTR {
       if (refine) refinement.Look(j, r2);
-      const Distance<decltype(d)> r(d, r2);
-      const auto place = kernel.At(r);
+      const auto distance = kernel.DistanceOf(r2);
+      const auto place = kernel.At(distance);
       const auto weight = hn::Mul(kernel.SlopeOf(place), hn::Set(d, water.volume[j]));
-      auto push = hn::Mul(weight, hn::Add(own_pressure, hn::Set(d, water.pressure[j])));
+      const auto wx = hn::Mul(weight, dx), wy = hn::Mul(weight, dy);
+      auto push = hn::Add(own_pressure, hn::Set(d, water.pressure[j]));
       if constexpr (kMaySharpen) push = hn::Mul(push, hn::NegMulAdd(r2, push_fall, push_flat));
-      push_x = hn::MulAdd(push, dx, push_x);
-      push_y = hn::MulAdd(push, dy, push_y);
       if constexpr (kViscous || kArtificial) {
         const auto du = hn::Sub(hn::Set(d, water.vx[j]), vx);
         const auto dv = hn::Sub(hn::Set(d, water.vy[j]), vy);
@@ -189,27 +187,24 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
           drag_y = hn::MulAdd(sharp, dv, drag_y);
         }
         if constexpr (kArtificial) {
-          const auto approach = hn::Mul(hn::MulAdd(du, dx, hn::Mul(dv, dy)), r.Inverse());
-          const auto brake = hn::Mul(hn::Mul(weight, r.Inverse()), approach);
-          brake_x = hn::MulAdd(brake, dx, brake_x);
-          brake_y = hn::MulAdd(brake, dy, brake_y);
+          const auto along = hn::MulAdd(du, dx, hn::Mul(dv, dy)), per_length = distance.Inverse();
+          push = hn::MulAdd(hn::Mul(hn::Mul(along, per_length), per_length), brake_factor, push);
         }
       }
-      const auto ratio = hn::Mul(kernel.ValueOf(place), per_value_at_spacing);
-      const auto square = hn::Mul(ratio, ratio);
-      const auto bias = hn::MulAdd(hn::Mul(square, square), fifth, one);
-      around.Add(weight, dx, dy, hn::Sub(hn::Set(d, water.excess[j]), excess),
+      push_x = hn::MulAdd(wx, push, push_x);
+      push_y = hn::MulAdd(wy, push, push_y);
+      const auto bias = hn::MulAdd(square_of(square_of(kernel.ValueOf(place))), bias_factor, one);
+      around.Add(wx, wy, dx, dy, hn::Sub(hn::Set(d, water.excess[j]), excess),
                  hn::Sub(hn::Set(d, water.wholeness[j]), wholeness), bias);
     });
     const auto per_density = hn::Div(one, hn::Add(excess, set(water.rho0)));
-    const auto total = [&](auto push, [[maybe_unused]] auto drag, [[maybe_unused]] auto brake) HWY_ATTR {
+    const auto total = [&](auto push, [[maybe_unused]] auto drag) HWY_ATTR {
       auto sum = hn::Mul(push, push_factor);
       if constexpr (kViscous) sum = hn::MulAdd(drag, drag_factor, sum);
-      if constexpr (kArtificial) sum = hn::MulAdd(brake, brake_factor, sum);
       return hn::Mul(sum, per_density);
     };
-    AddLanes(d, total(push_x, drag_x, brake_x), cluster, ax);
-    AddLanes(d, total(push_y, drag_y, brake_y), cluster, ay);
+    AddLanes(d, total(push_x, drag_x), cluster, ax);
+    AddLanes(d, total(push_y, drag_y), cluster, ay);
     around.Store(slope, unit, input.support, cluster, sums);
     if (refine) refinement.Close(k);
   }

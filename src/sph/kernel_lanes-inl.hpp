@@ -18,42 +18,42 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Distances r, and 1/r, of vectors with squared length r2 > 0, to full precision: the processor's estimate of
-/// 1/sqrt(r2), of 12 bits or more, refined by one Newton step for float and by two for double.
+/// Distances r, and 1/r, of vectors with squared length r2 > 0, both times a factor that costs nothing, to full
+/// precision: the processor's estimate of 1/sqrt(r2), of 12 bits or more, refined by one Newton step for float and by
+/// two for double.
 template <class D>
 class Distance {
  public:
   using V = hn::Vec<D>;
+  using T = hn::TFromD<D>;
 
-  HWY_INLINE Distance(D d, V r2) {
+  HWY_INLINE Distance(D d, V r2, T factor = 1) {
 #if HWY_ARCH_X86
-    const V half = hn::Set(d, static_cast<hn::TFromD<D>>(0.5));
-    const V three_halves = hn::Set(d, static_cast<hn::TFromD<D>>(1.5));
-    if constexpr (sizeof(hn::TFromD<D>) == 4) {
+    if constexpr (sizeof(T) == 4) {
       estimate_ = hn::ApproximateReciprocalSqrt(r2);
     } else {
       const hn::Rebind<float, D> df;
       const V rough = hn::PromoteTo(d, hn::ApproximateReciprocalSqrt(hn::DemoteTo(df, r2)));
-      const V step = hn::NegMulAdd(hn::Mul(hn::Mul(r2, half), rough), rough, three_halves);
+      const V step = hn::NegMulAdd(hn::Mul(hn::Mul(r2, hn::Set(d, T(0.5))), rough), rough, hn::Set(d, T(1.5)));
       estimate_ = hn::Mul(rough, step);
     }
     length_ = hn::Mul(r2, estimate_);
-    correction_ = hn::NegMulAdd(hn::Mul(length_, estimate_), half, three_halves);
+    correction_ = hn::NegMulAdd(hn::Mul(length_, estimate_), hn::Set(d, T(0.5) * factor), hn::Set(d, T(1.5) * factor));
 #else
     length_ = hn::Sqrt(r2);
-    correction_ = hn::Set(d, static_cast<hn::TFromD<D>>(1));
-    estimate_ = hn::Div(correction_, length_);
+    correction_ = hn::Set(d, factor);
+    estimate_ = hn::Div(hn::Set(d, T(1)), length_);
 #endif
   }
 
-  /// from - r
+  /// from - factor r
   HWY_INLINE V SubtractedFrom(V from) const { return hn::NegMulAdd(length_, correction_, from); }
-  /// 1/r
+  /// factor/r
   HWY_INLINE V Inverse() const { return hn::Mul(estimate_, correction_); }
 
  private:
   V estimate_;  // of 1/r
-  V length_;    // r = length_ * correction_
+  V length_;    // factor r = length_ * correction_
   V correction_;
 };
 
@@ -141,14 +141,15 @@ class WendlandC2Lanes {
     return 20 * ValueFactor(support, unit) * unit / (support * support);
   }
 
-  WendlandC2Lanes(D d, T support) : d_(d), support_(hn::Set(d, support)), per_support_(hn::Set(d, 1 / support)) {}
+  WendlandC2Lanes(D d, T support) : d_(d), per_support_(1 / support) {}
 
+  /// By what it multiplies lengths.
+  T Factor() const { return per_support_; }
+  HWY_INLINE Distance<D> DistanceOf(V r2) const { return {d_, r2, per_support_}; }
   /// 1 - s, not below 0
-  HWY_INLINE V At(const Distance<D>& r) const {
-    return hn::Max(hn::Mul(r.SubtractedFrom(support_), per_support_), hn::Zero(d_));
-  }
-  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(At(Distance<D>(d_, r2))), sum); }
-  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(At(Distance<D>(d_, r2))); }
+  HWY_INLINE V At(const Distance<D>& s) const { return hn::Max(s.SubtractedFrom(hn::Set(d_, T(1))), hn::Zero(d_)); }
+  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(At(DistanceOf(r2))), sum); }
+  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(At(DistanceOf(r2))); }
   /// The same from what At has found, where both are wanted.
   HWY_INLINE V ValueOf(V rest) const {
     const V square = hn::Mul(rest, rest);
@@ -159,8 +160,7 @@ class WendlandC2Lanes {
 
  private:
   D d_;
-  V support_;
-  V per_support_;
+  T per_support_;
 };
 
 /// Wendland C4: W = C/3 (1-s)^6 (35 s^2 + 18 s + 3), -W'/r = 56/3 C/R^2 (1-s)^5 (1 + 5s), C = 9/(pi R^2).
@@ -179,9 +179,11 @@ class WendlandC4Lanes {
 
   WendlandC4Lanes(D d, T support) : d_(d), rest_(d, support) {}
 
-  HWY_INLINE V At(const Distance<D>& r) const { return rest_.At(r); }
-  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(At(Distance<D>(d_, r2))), sum); }
-  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(At(Distance<D>(d_, r2))); }
+  T Factor() const { return rest_.Factor(); }
+  HWY_INLINE Distance<D> DistanceOf(V r2) const { return rest_.DistanceOf(r2); }
+  HWY_INLINE V At(const Distance<D>& s) const { return rest_.At(s); }
+  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(At(DistanceOf(r2))), sum); }
+  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(At(DistanceOf(r2))); }
   HWY_INLINE V ValueOf(V rest) const {
     // 35 s^2 + 18 s + 3 in powers of 1 - s
     const V square = hn::Mul(rest, rest);
@@ -215,18 +217,19 @@ class QuinticSplineLanes {
     return 45 * ValueFactor(support, unit) * unit / (support * support);
   }
 
-  QuinticSplineLanes(D d, T support)
-      : d_(d), support_(hn::Set(d, support)), per_h_(hn::Set(d, 3 / support)), h_(hn::Set(d, support / 3)) {}
+  QuinticSplineLanes(D d, T support) : d_(d), per_h_(3 / support) {}
 
   struct Place {
     V outer;  // 3 - q, not below 0
     V per_q;
   };
-  HWY_INLINE Place At(const Distance<D>& r) const {
-    return {Positive(hn::Mul(r.SubtractedFrom(support_), per_h_)), hn::Mul(r.Inverse(), h_)};
+  T Factor() const { return per_h_; }
+  HWY_INLINE Distance<D> DistanceOf(V r2) const { return {d_, r2, per_h_}; }
+  HWY_INLINE Place At(const Distance<D>& q) const {
+    return {Positive(q.SubtractedFrom(Set(3))), hn::Mul(q.Inverse(), hn::Set(d_, 1 / (per_h_ * per_h_)))};
   }
-  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(At(Distance<D>(d_, r2))), sum); }
-  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(At(Distance<D>(d_, r2))); }
+  HWY_INLINE V AddValue(V r2, V sum) const { return hn::Add(ValueOf(At(DistanceOf(r2))), sum); }
+  HWY_INLINE V NegativeSlopeOverR(V r2) const { return SlopeOf(At(DistanceOf(r2))); }
   HWY_INLINE V ValueOf(const Place& place) const {
     const V middle = Positive(hn::Sub(place.outer, Set(1)));
     const V inner = Positive(hn::Sub(place.outer, Set(2)));
@@ -252,9 +255,7 @@ class QuinticSplineLanes {
   }
 
   D d_;
-  V support_;
-  V per_h_;
-  V h_;
+  T per_h_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -65,14 +65,18 @@ void ParticleSystemSPH::ComputeAccelerations() {
 void ParticleSystemSPH::PrepareGrid() {
   const PhaseTimer timer(phases_, "grid");
   Particles& p = particles_;
-  SearchTask task = neighbours_.NextTask(Travelled(), Support());
+  SearchTask task = neighbours_.NextTask(Time(), Support());
   const Ends ends = EndsBefore(0);
   if (ends != neighbours_.CurrentEnds() && task == SearchTask::kNothing) task = SearchTask::kLists;
   neighbours_.SetEnds(ends);
   neighbours_.UseThreads(ThreadCount());
   std::visit(
       [&]<typename Real>(FluidArrays<Real>& fluid) {
-        if (task == SearchTask::kSort) {
+        if (task == SearchTask::kNothing) {
+          SetPositions(p.x, p.y, ends);
+          if (neighbours_.Hold(fluid.positions, Time())) return;
+        }
+        if (task == SearchTask::kSort || !neighbours_.AreCompact(p.x, p.y)) {
           WrapPositions();
           neighbours_.Sort(p.x, p.y, InitialSpacing(), Lanes<Real>());
           Reorder(neighbours_.Order());
@@ -80,13 +84,13 @@ void ParticleSystemSPH::PrepareGrid() {
           const bool equal = std::adjacent_find(p.mass.begin(), p.mass.end(), std::not_equal_to<>()) == p.mass.end();
           equal ? fluid.mass.clear() : Convert<Real>(p.mass, fluid.mass);
         }
-        if (task != SearchTask::kNothing) {
-          neighbours_.Prepare(p.x, p.y, LastTravel(), LeastSkin());
-          ResizeArrays(p.Size() + neighbours_.Extras());
-          if (!fluid.mass.empty()) CopyToImages(fluid.mass);
-        }
+        double fastest_wall = 0;  // [m/s]
+        for (const Wall& wall : parameters.walls) fastest_wall = std::max(fastest_wall, std::abs(wall.velocity));
+        neighbours_.Prepare({p.x, p.y, p.vx, p.vy, p.vx_prev, p.vy_prev, Time(), LastStep()}, ListsHoldBefore(),
+                            ListsHoldBefore() * fastest_wall);
+        ResizeArrays(p.Size() + neighbours_.Extras());
+        if (!fluid.mass.empty()) CopyToImages(fluid.mass);
         SetPositions(p.x, p.y, ends);
-        if (task == SearchTask::kNothing) return;
         ForEachBlock([&](ListBlock& block) { FindCells(block); });
         FindCellsOfWalls();
         neighbours_.Finish();
@@ -145,7 +149,7 @@ void ParticleSystemSPH::FindCells(ListBlock& block) {
   std::visit(
       [&]<typename Real>(const FluidArrays<Real>& fluid) {
         const ClusterSets sets = neighbours_.Sets();
-        FindNeighbours<Real>(sets[0], sets, fluid.positions, Support(), neighbours_.Reach(), block);
+        FindNeighbours<Real>(sets[0], sets, fluid.positions, neighbours_.CurrentReach(), block);
       },
       fluid_);
 }
@@ -156,7 +160,7 @@ void ParticleSystemSPH::FindCellsOfWalls() {
       [&]<typename Real>(const FluidArrays<Real>& fluid) {
         const ClusterSets sets = neighbours_.Sets();
         ForEach(neighbours_.WallBlocks(), [&](ListBlock& block) {
-          FindNeighbours<Real>(sets[2], {sets[0], sets[1]}, fluid.positions, Support(), neighbours_.Reach(), block);
+          FindNeighbours<Real>(sets[2], {sets[0], sets[1]}, fluid.positions, neighbours_.CurrentReach(), block);
         });
       },
       fluid_);
@@ -341,7 +345,7 @@ void ParticleSystemSPH::Transfer(Archive& archive) {
 
 std::vector<PassPlan> ParticleSystemSPH::Plan() const {
   std::vector<PassPlan> plan = {
-      {"grid", true, "particles sorted into clusters, and neighbour lists, only when one has moved too far"},
+      {"grid", true, "particles sorted into clusters, and neighbour lists, only when one has left its course"},
       {"density", true, "density (eq. 8) and pressure"},
       {"pressure", true, "pressure acceleration (eq. 10)"},
   };

@@ -99,7 +99,7 @@ class ParticleSystemSPH : public ParticleSystem {
   void ForgetNeighbours() override;
 
   /// Brings the neighbour lists up to date: sorts the particles into clusters and finds what is near each, where they
-  /// have moved too far for the lists that there are.
+  /// have not moved as the lists that there are foresaw.
   void PrepareGrid();
   /// Finds the clusters around each of the block's, and of their particles those within reach: the neighbour store's
   /// lists.
@@ -107,8 +107,8 @@ class ParticleSystemSPH : public ParticleSystem {
   void FindCellsOfWalls();
   /// The greatest stable c dt/h of leapfrog on lattices of this solver's fluid.
   virtual double StableSoundStep() const;
-  /// How far beyond the support the lists shall reach at least [m].
-  virtual double LeastSkin() const { return 0; }
+  /// How long before they are made the lists shall hold, too [s].
+  virtual double ListsHoldBefore() const { return 0; }
   /// Makes room in the arrays of the passes for n particles, images and wall particles included, and the padding.
   virtual void ResizeArrays(std::size_t n);
   /// Periodic ends, and walls that the fluid sees, where they were so long ago [s].
@@ -166,7 +166,7 @@ void ParticleSystemSPH::CopyToImages(std::vector<Real>& values) const {
 template <typename Real>
 PassInput<Real> ParticleSystemSPH::InputOf(const FluidArrays<Real>& fluid) const {
   const double equal_mass = particles_.Size() == 0 ? 0 : particles_.mass[0];
-  return {&fluid.positions, Support(), neighbours_.Reach(), fluid.Masses(), equal_mass, neighbours_.Clusters()};
+  return {&fluid.positions, Support(), fluid.Masses(), equal_mass, neighbours_.Clusters()};
 }
 
 }  // namespace sph

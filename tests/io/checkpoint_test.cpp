@@ -63,7 +63,7 @@ TEST(Checkpoint, SaysWhatIsWrong) {
   EXPECT_TRUE(Complains([&] { ReadCheckpoint(path); }, {path.c_str(), "no checkpoint"}));
   std::vector<std::byte> file = FileOf(AState());
   file[8] = std::byte{99};
-  EXPECT_TRUE(Complains([&] { DecodeCheckpoint(file, "c"); }, {"c", "version 99", "reads version 1"}));
+  EXPECT_TRUE(Complains([&] { DecodeCheckpoint(file, "c"); }, {"c", "version 99", "reads version 2"}));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "base/random.hpp"
@@ -104,7 +105,7 @@ TEST_P(ImagesOf, ShowEveryPairWithinReachAcrossASeamOnce) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
       const Points points = Scattered(150, drift, seed);
       Images images;
-      images.Find(TheEnds(), kReach, points.x, points.y);
+      images.Find(TheEnds(), kReach, 0, points.x, points.y);
       const Seen expected = SeenByCopies(points, ThePeriods());
       EXPECT_GT(expected.size(), 50u);
       ASSERT_EQ(SeenByImages(points, images, TheEnds()), expected) << "drift " << drift << ", seed " << seed;
@@ -112,10 +113,26 @@ TEST_P(ImagesOf, ShowEveryPairWithinReachAcrossASeamOnce) {
   }
 }
 
+TEST_P(ImagesOf, ShowThePairsOfParticlesThatTravel) {
+  constexpr double kTravel = 0.15;  // [m]
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Points points = Scattered(150, 0, seed);
+    Images images;
+    images.Find(TheEnds(), kReach, kTravel, points.x, points.y);
+    Random random(seed + 100);
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+      const double angle = random.Uniform(0, 2 * std::numbers::pi);
+      points.x[i] += kTravel * std::cos(angle);
+      points.y[i] += kTravel * std::sin(angle);
+    }
+    ASSERT_EQ(SeenByImages(points, images, TheEnds()), SeenByCopies(points, ThePeriods())) << "seed " << seed;
+  }
+}
+
 TEST_P(ImagesOf, AreNoMoreThanTheRimHolds) {
   const Points points = Scattered(2000, 0, 1);
   Images images;
-  images.Find(TheEnds(), kReach, points.x, points.y);
+  images.Find(TheEnds(), kReach, 0, points.x, points.y);
   const double wide = kBox.Width() + (GetParam().in_x ? 2 * kReach : 0);
   const double high = kBox.Height() + (GetParam().in_y ? 2 * kReach : 0);
   const double expected = 2000 * (wide * high / (kBox.Width() * kBox.Height()) - 1);
@@ -125,16 +142,16 @@ TEST_P(ImagesOf, AreNoMoreThanTheRimHolds) {
 TEST(Images, OfNothingPeriodicAreNone) {
   const Points points = Scattered(100, 0.1, 1);
   Images images;
-  images.Find(Periodic(true, true), kReach, points.x, points.y);
+  images.Find(Periodic(true, true), kReach, 0, points.x, points.y);
   EXPECT_GT(images.Size(), 0u);
-  images.Find({}, kReach, points.x, points.y);
+  images.Find({}, kReach, 0, points.x, points.y);
   EXPECT_EQ(images.Size(), 0u);
 }
 
 TEST(Images, KeepSourceAndShiftTogetherWhenTheyAreReordered) {
   const Points points = Scattered(60, 0, 4);
   Images images;
-  images.Find(Periodic(true, true), kReach, points.x, points.y);
+  images.Find(Periodic(true, true), kReach, 0, points.x, points.y);
   const auto all = [&] {
     std::multiset<std::tuple<std::uint32_t, double, double>> result;
     const std::vector<Vec2> shifts = Shifts(images, Periodic(true, true), points);
@@ -154,7 +171,7 @@ TEST(Images, InMirrorsAreTheReflectionsOfEveryParticleWithinReachOfThem) {
   const Points points = Scattered(300, 0, 7);
   const Ends ends{{kBox.x0, kBox.x1}, {kBox.y0}};  // left and right, and a floor
   Images images;
-  images.Find(ends, kReach, points.x, points.y);
+  images.Find(ends, kReach, 0, points.x, points.y);
   std::vector<double> x, y;
   images.Place(ends, points.x, points.y, x, y);
   std::multiset<std::tuple<std::uint32_t, double, double>> found, expected;
@@ -191,7 +208,7 @@ TEST(Images, RefuseAPeriodOfLessThanTwiceTheReach) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const Points points = Scattered(3, 0, 1);
   Images images;
-  EXPECT_DEATH(images.Find(Periodic(false, true), 0.75, points.x, points.y), "too short for a reach of 0.75 m");
+  EXPECT_DEATH(images.Find(Periodic(false, true), 0.75, 0, points.x, points.y), "too short for a reach of 0.75 m");
 }
 
 }  // namespace

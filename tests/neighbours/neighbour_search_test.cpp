@@ -8,6 +8,8 @@
 #include <cmath>
 #include <set>
 
+#include "base/random.hpp"
+
 namespace sph {
 namespace {
 
@@ -17,27 +19,48 @@ constexpr double kSpacing = 0.2;
 /// Points as a solver holds them: sorted into clusters, with lists of what is within reach.
 template <typename Real>
 struct Found {
-  explicit Found(std::vector<double> px, std::vector<double> py, double travel_per_step = 0) {
+  explicit Found(std::vector<double> px, std::vector<double> py) : Found(px, py, std::vector<Vec2>(px.size()), 0) {}
+  /// Particles with velocities, which have made a step of that length [s].
+  Found(const std::vector<double>& px, const std::vector<double>& py, const std::vector<Vec2>& velocities,
+        double step_length)
+      : step(step_length) {
     search.NextTask(0, kSupport);
     search.Sort(px, py, kSpacing, Lanes<Real>());
     for (const std::uint32_t i : search.Order()) {
       x.push_back(px[i]);
       y.push_back(py[i]);
+      vx.push_back(velocities[i].x);
+      vy.push_back(velocities[i].y);
     }
     search.Cut(x, y);
-    Find(travel_per_step);
+    Find();
   }
-  void Find(double travel_per_step) {
-    positions.Resize(x.size());
-    positions.Set(x, y, kSupport, 0, x.size());
-    search.Prepare(x, y, travel_per_step);
+  void Find() {
+    SetPositions();
+    search.AreCompact(x, y);
+    search.Prepare({x, y, vx, vy, vx, vy, time, step});
     for (ListBlock& block : search.Blocks()) {
-      FindNeighbours<Real>(search.Sets()[0], search.Sets(), positions, kSupport, search.Reach(), block);
+      FindNeighbours<Real>(search.Sets()[0], search.Sets(), positions, search.CurrentReach(), block);
     }
     search.Finish();
   }
+  /// Whether lists hold once the particles have gone on.
+  bool HoldAfterStep() {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x[i] += step * vx[i];
+      y[i] += step * vy[i];
+    }
+    time += step;
+    SetPositions();
+    return search.NextTask(time, kSupport) == SearchTask::kNothing && search.Hold(positions, time);
+  }
+  void SetPositions() {
+    positions.Resize(x.size());
+    positions.Set(x, y, kSupport, 0, x.size());
+  }
 
-  std::vector<double> x, y;
+  std::vector<double> x, y, vx, vy;
+  double time = 0, step = 0;
   NeighbourSearch search;
   Positions<Real> positions;
 };
@@ -102,7 +125,9 @@ RC_GTEST_PROP(NeighbourSearch, ClustersHoldEveryParticleOnceAndAreNeverTooLong, 
   RC_ASSERT(next == found.x.size());
 }
 
-RC_GTEST_PROP(NeighbourSearch, ListsHoldUntilAParticleHasCrossedHalfTheSkin, ()) {
+/// Moves particles until the lists no longer hold, some of them suddenly another way; how many steps that took.
+template <typename Real>
+int StepsThatListsHold() {
   const auto steps = *Clumps(30);
   RC_PRE(!steps.empty());
   std::vector<double> x, y;
@@ -110,19 +135,75 @@ RC_GTEST_PROP(NeighbourSearch, ListsHoldUntilAParticleHasCrossedHalfTheSkin, ())
     x.push_back(kSupport / 8 * column);
     y.push_back(kSupport / 8 * row);
   }
-  constexpr double kTravel = 0.002;  // [m] a step
-  Found<double> found(x, y, kTravel);
-  RC_ASSERT(found.search.Skin() > 0);
-  double travelled = 0;
-  for (int step = 0; step < 200; ++step) {
-    const SearchTask task = found.search.NextTask(travelled, kSupport);
-    if (task != SearchTask::kNothing) break;
-    RC_ASSERT(Wrong(found, kSupport) == "");
-    for (std::size_t i = 0; i < found.x.size(); ++i)
-      found.x[i] += i % 2 == 0 ? kTravel : -kTravel;  // towards each other
-    travelled += kTravel;
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const auto random_velocity = [&](double greatest) {
+    return Vec2{random.Uniform(-greatest, greatest), random.Uniform(-greatest, greatest)};
+  };
+  const Vec2 common = random_velocity(2);  // [m/s]
+  std::vector<Vec2> velocities;
+  for (std::size_t i = 0; i < x.size(); ++i) velocities.push_back(common + random_velocity(0.3));
+  Found<Real> found(x, y, velocities, 0.002);
+  RC_ASSERT(found.search.Horizon() > 0);
+  int held = 0;
+  for (; found.HoldAfterStep(); ++held) {
+    RC_ASSERT(Wrong(found, kSupport * (1 - 1e-6)) == "");
+    for (std::size_t i = 0; i < found.x.size(); ++i) {
+      const Vec2 push = random_velocity(0.05);
+      found.vx[i] += push.x;
+      found.vy[i] += push.y;
+    }
   }
-  RC_ASSERT(2 * travelled > found.search.Skin());
+  return held;
+}
+
+RC_GTEST_PROP(NeighbourSearch, ListsHoldEveryPairUntilAParticleIsOffItsCourseInDouble, ()) {
+  StepsThatListsHold<double>();
+}
+RC_GTEST_PROP(NeighbourSearch, ListsHoldEveryPairUntilAParticleIsOffItsCourseInFloat, ()) {
+  StepsThatListsHold<float>();
+}
+
+TEST(NeighbourSearch, ListsOfWhatMovesTogetherHoldUntilTheHorizon) {
+  std::vector<double> x, y;
+  std::vector<Vec2> velocities;
+  for (int k = 0; k < 2500; ++k) {
+    x.push_back(kSpacing * (k % 50));
+    y.push_back(kSpacing * (k / 50));
+    velocities.push_back({3 - 0.02 * y.back(), 0.02 * x.back()});  // [m/s]: turns slowly on its way
+  }
+  Found<float> found(x, y, velocities, 0.001);
+  EXPECT_GT(found.search.Horizon(), 20 * found.step);
+  int held = 0;
+  while (found.HoldAfterStep()) ++held;
+  EXPECT_NEAR(held, found.search.Horizon() / found.step, 1);
+  const std::vector<ListBlock>& blocks = found.search.Blocks();
+  for (const ListBlock& block : blocks) {
+    for (const float reach : block.reach) EXPECT_LT(reach, 1.1) << "by 0.1 supports, while all travel 0.2";
+  }
+}
+
+TEST(NeighbourSearch, OneThatLeavesItsCourseEndsTheLists) {
+  std::vector<double> x, y;
+  for (int k = 0; k < 400; ++k) {
+    x.push_back(kSpacing * (k % 20));
+    y.push_back(kSpacing * (k / 20));
+  }
+  Found<double> found(x, y, std::vector<Vec2>(400, Vec2{1, 1}), 0.001);
+  ASSERT_TRUE(found.HoldAfterStep());
+  found.x[123] += 0.01 * kSupport;
+  EXPECT_FALSE(found.HoldAfterStep());
+}
+
+TEST(NeighbourSearch, ClustersAreCompactUntilTheirParticlesHaveDriftedApart) {
+  std::vector<double> x, y;
+  for (int k = 0; k < 400; ++k) {
+    x.push_back(kSpacing * (k % 20));
+    y.push_back(kSpacing * (k / 20));
+  }
+  Found<double> found(x, y);
+  EXPECT_TRUE(found.search.AreCompact(found.x, found.y));
+  found.x[0] -= 5 * kSupport;
+  EXPECT_FALSE(found.search.AreCompact(found.x, found.y));
 }
 
 TEST(NeighbourSearch, OfNoParticlesHasNoClusters) {
@@ -140,7 +221,7 @@ TEST(NeighbourSearch, SortsAgainWhenDriftHasMadeTheListsLong) {
   Found<float> found(x, y);
   EXPECT_EQ(found.search.NextTask(0, kSupport), SearchTask::kNothing);
   for (std::size_t i = 0; i < found.x.size(); ++i) found.x[i] += i % 3 == 0 ? 3 * kSpacing : 0;  // clusters torn apart
-  found.Find(0);
+  found.Find();
   EXPECT_EQ(found.search.NextTask(0, kSupport), SearchTask::kSort);
 }
 

@@ -86,9 +86,9 @@ Neighbourhood<Real> FindNeighbours(const Cloud& cloud, double support) {
   found.search.Cut(sorted.x, sorted.y);
   found.positions.Resize(sorted.Size());
   found.positions.Set(sorted.x, sorted.y, support, 0, sorted.Size());
-  found.search.Prepare(sorted.x, sorted.y, 0);
+  found.search.Prepare({sorted.x, sorted.y, sorted.vx, sorted.vy, sorted.vx, sorted.vy, 0, 1e-3});
   for (ListBlock& block : found.search.Blocks()) {
-    FindNeighbours<Real>(found.search.Sets()[0], found.search.Sets(), found.positions, support, found.search.Reach(),
+    FindNeighbours<Real>(found.search.Sets()[0], found.search.Sets(), found.positions, found.search.CurrentReach(),
                          block);
   }
   found.search.Finish();

@@ -36,7 +36,7 @@ struct Neighbourhood {
   std::vector<Real> mass;
   double support = 0;
 
-  PassInput<Real> Input() const { return {&positions, support, search.Reach(), mass.data(), 0, search.Clusters()}; }
+  PassInput<Real> Input() const { return {&positions, support, mass.data(), 0, search.Clusters()}; }
 };
 template <typename Real>
 Neighbourhood<Real> FindNeighbours(const Cloud& cloud, double support);

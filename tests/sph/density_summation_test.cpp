@@ -144,7 +144,6 @@ template <typename Real>
 void ExpectThatTheFirstPassShortensTheLists(const Cloud& cloud) {
   Neighbourhood<Real> found = FindNeighbours<Real>(cloud, 2 * kCloudH);
   const std::vector<double> first = DensityOf(found, ComputeCubicSplineDensity<Real>);
-  const double reach = found.search.Reach();
   const Cloud& p = found.cloud;
   const auto near = [&](std::uint32_t i, std::uint32_t j, double by) {
     return std::hypot(p.x[i] - p.x[j], p.y[i] - p.y[j]) < by;
@@ -154,12 +153,14 @@ void ExpectThatTheFirstPassShortensTheLists(const Cloud& cloud) {
     for (std::uint32_t k = block.first; k < block.last; ++k) {
       const Cluster& cluster = found.search.Clusters()[k];
       const auto list = block.Of(k);
+      const double reach = found.support * static_cast<double>(block.reach[k - block.first]);
       std::vector<bool> listed(p.Size());
       for (const std::uint32_t j : list) listed[j] = true;
       for (std::uint32_t j = 0; j < p.Size(); ++j) {
         bool within = false;
         // Lanes beyond the end of a cluster are of the next one, or of none: they may keep a particle, but drop none.
-        for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) within |= near(i, j, reach);
+        for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i)
+          within |= near(i, j, found.support);
         if (within) {
           ASSERT_TRUE(listed[j]) << cloud.name << ": " << j << " near cluster " << k;
         }
