@@ -13,22 +13,6 @@
 #include "base/shared_work.hpp"
 #include "neighbours/coordinates-inl.hpp"
 
-namespace sph {
-#ifndef SPH_VOYAGE
-#define SPH_VOYAGE
-/// Clusters that set out from their boxes `elapsed` ago [s]; see ClusterCourses.
-struct Voyage {
-  std::span<const Cluster> clusters;
-  const ClusterBoxes* boxes;
-  std::span<const ClusterCourse> courses;
-  const float* start_x;
-  const float* start_y;
-  double elapsed;
-  double support;  // [m]
-};
-#endif
-}  // namespace sph
-
 HWY_BEFORE_NAMESPACE();
 namespace sph {
 namespace HWY_NAMESPACE {
@@ -43,7 +27,7 @@ HWY_INLINE auto LoadStarts(hn::ScalableTag<double> d, const float* start) {
 
 /// How far particles of the clusters first ... last - 1 are from their courses at most [m].
 template <typename Real>
-void Strays(const Voyage& voyage, const Positions<Real>& positions, std::size_t first, std::size_t last,
+void Strays(const ClusterVoyage& voyage, const Positions<Real>& positions, std::size_t first, std::size_t last,
             float* strayed) {
   const hn::ScalableTag<Real> d;
   const double unit = Positions<Real>::Unit(voyage.support), per_unit = 1 / unit;
@@ -67,12 +51,12 @@ void Strays(const Voyage& voyage, const Positions<Real>& positions, std::size_t 
 
 }  // namespace
 
-void StraysInFloat(const Voyage& voyage, const Positions<float>& positions, std::size_t first, std::size_t last,
+void StraysInFloat(const ClusterVoyage& voyage, const Positions<float>& positions, std::size_t first, std::size_t last,
                    float* strayed) {
   Strays<float>(voyage, positions, first, last, strayed);
 }
-void StraysInDouble(const Voyage& voyage, const Positions<double>& positions, std::size_t first, std::size_t last,
-                    float* strayed) {
+void StraysInDouble(const ClusterVoyage& voyage, const Positions<double>& positions, std::size_t first,
+                    std::size_t last, float* strayed) {
   Strays<double>(voyage, positions, first, last, strayed);
 }
 
@@ -179,7 +163,7 @@ template <typename Real>
 bool ClusterCourses::Hold(std::span<const Cluster> clusters, const ClusterBoxes& boxes,
                           const Positions<Real>& positions, double support, double time, int threads) {
   looked_ = time;
-  const Voyage voyage{clusters, &boxes, courses_, start_x_.data(), start_y_.data(), time - set_out_, support};
+  const ClusterVoyage voyage{clusters, &boxes, courses_, start_x_.data(), start_y_.data(), time - set_out_, support};
   std::atomic<bool> hold = true;
   ForPieces(clusters.size(), threads, [&](std::size_t first, std::size_t last) {
     if constexpr (std::is_same_v<Real, float>) {

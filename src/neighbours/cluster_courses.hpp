@@ -40,6 +40,17 @@ inline double ClosingOf(const ClusterCourse& a, const ClusterCourse& b, double h
   return TravelOf({a.vx - b.vx, a.vy - b.vy, a.stray + b.stray}, horizon);
 }
 
+/// Clusters some time after they set out.
+struct ClusterVoyage {
+  std::span<const Cluster> clusters;
+  const ClusterBoxes* boxes = nullptr;  ///< when they set out
+  std::span<const ClusterCourse> courses;
+  const float* start_x = nullptr;  ///< of particles, from the middle of their cluster's box [supports]
+  const float* start_y = nullptr;
+  double elapsed = 0;  ///< [s]
+  double support = 0;  ///< [m]
+};
+
 class ClusterCourses {
  public:
   /// Courses from here on, until the horizon at which it pays to make the lists anew.
@@ -65,7 +76,7 @@ class ClusterCourses {
  private:
   std::vector<ClusterCourse> courses_;    // [clusters]
   std::vector<float> strayed_;            // [clusters]: how far by looked_ [m]
-  std::vector<float> start_x_, start_y_;  // [particles + kPadding]: from the middle of the cluster's box, in supports
+  std::vector<float> start_x_, start_y_;  // [particles + kPadding], see ClusterVoyage
   double set_out_ = 0;                    // [s]
   double looked_ = 0;                     // [s]
   double horizon_ = 0;                    // [s]

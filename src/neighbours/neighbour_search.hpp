@@ -43,9 +43,10 @@ class NeighbourSearch {
   void PlaceExtras(const Ends& ends, std::span<const double> x, std::span<const double> y, std::vector<double>& extra_x,
                    std::vector<double>& extra_y) const;
 
-  /// @param support    reach of the kernel [m]
+  /// @param time     now [s]
+  /// @param support  reach of the kernel [m]
   SearchTask NextTask(double time, double support);
-  /// Whether kNothing is true [@param positions at that time].
+  /// Whether all have kept to their courses until now, where these are their positions. If not, the task is kLists.
   template <typename Real>
   bool Hold(const Positions<Real>& positions, double time) {
     return courses_.Hold(Clusters(), boxes_, positions, support_, time, threads_);

@@ -122,8 +122,8 @@ void CheckPeriods(const Scene& scene, const std::string& source) {
     throw UsageError("{}: periodic takes both box = [x0, y0, x1, y1] and directions = \"x\", \"y\" or \"both\"",
                      source);
   }
-  // Lists reach a third beyond the support, or as far as a particle moves in a step, see LongestMove; and images are
-  // seen from wall particles that are as far beyond a seam.
+  // Half a period is a third longer than the support at least, so that a step may be so long, see LongestMove; and
+  // images are seen from wall particles that are as far beyond a seam.
   const double support = scene.solver == "delta" ? SupportOf(scene.sph.delta.kernel) : CubicSpline<2>::kSupport;
   const double reaches = scene.base.wall.kind == WallKind::kParticles ? 2 : 1;
   const double least = 2 * reaches * (4.0 / 3) * support * scene.sph.smoothing_length;

@@ -266,7 +266,7 @@ double ParticleSystemSPH::FastestSound() const {
                     parameters_sph.equation_of_state);
 }
 
-/// No further than the support, or than lists may reach beyond it: no particle may have two images of another there.
+/// No further than the support, or than half a period is longer: no particle may have two images of another near it.
 double ParticleSystemSPH::LongestMove() const {
   const Periods& periods = parameters_sph.periods;
   const double part = parameters.wall.kind == WallKind::kParticles ? 0.25 : 0.5;  // see FindExtras
