@@ -1,6 +1,7 @@
 #include "lab/plot_surface.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
@@ -23,6 +24,24 @@ void SetFont(cairo_t* context, double size) {
   cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
   cairo_set_font_options(context, options);
   cairo_font_options_destroy(options);
+}
+
+/// Words; what is like "t = 0.5 s" counts as one.
+std::vector<std::string> WordsOf(const std::string& text) {
+  constexpr std::size_t kLongestUnit = 3;
+  std::vector<std::string> words;
+  std::istringstream parts(text);
+  std::string before;
+  for (std::string part; parts >> part; before = part) {
+    const bool unit =
+        !before.empty() && part.size() <= kLongestUnit && std::isdigit(static_cast<unsigned char>(before.back()));
+    if (!words.empty() && (part == "=" || before == "=" || unit)) {
+      words.back() += " " + part;
+    } else {
+      words.push_back(part);
+    }
+  }
+  return words;
 }
 
 }  // namespace
@@ -121,8 +140,7 @@ double FittingSize(const std::string& text, double size, double width) {
 
 std::vector<std::string> Wrap(const std::string& text, double size, double width) {
   std::vector<std::string> lines;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
+  for (const std::string& word : WordsOf(text)) {
     if (!lines.empty() && WidthOfText(lines.back() + " " + word, size) <= width) {
       lines.back() += " " + word;
     } else {

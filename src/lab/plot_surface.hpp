@@ -57,7 +57,8 @@ constexpr double LineHeight(double size) { return 1.3 * size; }
 
 /// The size, `size` or less, at which the text is at most `width` wide.
 double FittingSize(const std::string& text, double size, double width);
-/// The text in lines of at most `width`, broken between words; a longer word has a line of its own.
+/// The text in lines of at most `width`, broken between words, but not within "t = 0.5 s"; what is longer has a line of
+/// its own.
 std::vector<std::string> Wrap(const std::string& text, double size, double width);
 
 }  // namespace sph

@@ -126,6 +126,8 @@ TEST(Text, StandsWhereItsAnchorIs) {
 TEST(Text, WrapsBetweenWordsAndShrinksToFit) {
   EXPECT_EQ(Wrap("one two three", 20, 1000), std::vector<std::string>{"one two three"});
   EXPECT_EQ(Wrap("one two three", 20, WidthOfText("one two", 20) + 1), (std::vector<std::string>{"one two", "three"}));
+  EXPECT_EQ(Wrap("at t = 0.5 s or so", 20, WidthOfText("at t = 0.5", 20)),
+            (std::vector<std::string>{"at", "t = 0.5 s", "or so"}));
   EXPECT_EQ(Wrap("immeasurable", 20, 5), std::vector<std::string>{"immeasurable"});
   EXPECT_TRUE(Wrap("", 20, 100).empty());
   EXPECT_EQ(FittingSize("abc", 20, 1000), 20);
