@@ -56,7 +56,7 @@ void AddSceneOptions(CLI::App& command, SceneRequest& request) {
   command.add_option("--precision", request.precision, "of the passes over neighbours: float or double")
       ->check(CLI::IsMember({"float", "double"}));
   command.add_option("--particles", request.particles, "the same fluid with that many particles")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}));
+      ->check(CLI::Range(std::size_t{1}, kMostParticles));
   command.add_option("--seed", request.seed, "of the random start")->check(WholeNumber());
   command.add_option("--threads", request.threads, "0 for one a processor")->check(CLI::Range(0, 1024));
 }

@@ -26,6 +26,8 @@ Scene LoadScene(const SceneRequest& request) {
 void TransferRequest(Archive& archive, SceneRequest& request) {
   archive(request.scene, request.settings, request.solver, request.precision, request.particles, request.seed,
           request.threads);
+  if (!archive.Reading() || !request.particles) return;
+  Archive::Require(*request.particles >= 1 && *request.particles <= kMostParticles);
 }
 
 }  // namespace sph

@@ -51,6 +51,9 @@ struct Settling {
   double damping = 0;  ///< [1/s]
 };
 
+/// Of a scene, with and without --particles.
+inline constexpr std::size_t kMostParticles = 100'000'000;
+
 struct Scene {
   std::string name;  ///< the file's name without its ending
   std::string title;

@@ -9,7 +9,6 @@
 namespace sph {
 namespace {
 
-constexpr std::int64_t kMostParticles = 100'000'000;
 const std::vector<std::string> kArrangements = {"random", "lattice", "jittered", "perturbed", "hexagonal", "relaxed"};
 const std::vector<std::string> kIntegrations = {"leapfrog", "leapfrog-published", "symplectic-euler"};
 const std::vector<std::string> kWallKinds = {"penalty", "mirror", "reflect", "particles"};

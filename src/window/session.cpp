@@ -159,13 +159,13 @@ void Session::Transfer(Archive& archive) {
   std::vector<double> values = set_to_;
   archive(fingerprint, keys, values);
   if (archive.Reading()) {
+    if (FingerprintOf(FindScene(now.scene)) != fingerprint) {
+      throw TroubleError("the file of the scene '{}' is not the one that the state was saved with", now.scene);
+    }
+    Archive::Require(keys.size() == values.size());
     now.threads = request_.threads;
     if (now.scene != request_.scene) Load(now);  // a key had led to another scene
     request_ = now;
-    if (fingerprint != fingerprint_) {
-      throw TroubleError("the file of the scene '{}' is not the one that the state was saved with", request_.scene);
-    }
-    Archive::Require(keys.size() == values.size());
     for (std::size_t k = 0; k < keys.size(); ++k) SetKey(keys[k], values[k]);
   }
   archive(paused, single_steps, speed, colouring);

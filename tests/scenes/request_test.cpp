@@ -62,5 +62,22 @@ TEST(LoadScene, RefusesSoFewParticlesThatThePeriodIsTooShort) {
   }
 }
 
+TEST(TransferRequest, ReadsNoMoreAndNoFewerParticlesThanACommandLine) {
+  const auto reads = [](std::size_t particles) {
+    SceneRequest saved, read;
+    saved.particles = particles;
+    std::vector<std::byte> bytes;
+    Archive writer = Archive::Writer(bytes, Archive::Extent::kSameBits);
+    TransferRequest(writer, saved);
+    Archive reader = Archive::Reader(bytes, Archive::Extent::kSameBits);
+    TransferRequest(reader, read);
+    EXPECT_EQ(read.particles, particles);
+  };
+  reads(1);
+  reads(kMostParticles);
+  EXPECT_THROW(reads(0), TroubleError);
+  EXPECT_THROW(reads(kMostParticles + 1), TroubleError);
+}
+
 }  // namespace
 }  // namespace sph
