@@ -20,6 +20,7 @@ struct SceneRequest {
   int threads = 0;  ///< 0: as many as there are processors
 };
 
+/// TroubleError where what is read asks for a number of particles that --particles refuses.
 void TransferRequest(Archive& archive, SceneRequest& request);
 
 /// The scene with the request's changes. UsageError or TroubleError as ReadScene and FindScene say.

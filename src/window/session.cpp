@@ -13,8 +13,9 @@
 namespace sph {
 namespace {
 
-std::uint64_t FingerprintOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+/// Of the scene's file.
+std::uint64_t FingerprintOf(const std::string& scene) {
+  std::ifstream stream(FindScene(scene), std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   Hash hash;
   hash.Add(std::as_bytes(std::span(text)));
@@ -31,7 +32,7 @@ void Session::Load(const SceneRequest& request) {
   start_ = scene_ = std::move(loaded);
   set_keys_.clear();
   set_to_.clear();
-  fingerprint_ = FingerprintOf(FindScene(request.scene));
+  fingerprint_ = FingerprintOf(request.scene);
   guard_.emplace(*system_, scene_.retries);
 }
 
@@ -159,7 +160,7 @@ void Session::Transfer(Archive& archive) {
   std::vector<double> values = set_to_;
   archive(fingerprint, keys, values);
   if (archive.Reading()) {
-    if (FingerprintOf(FindScene(now.scene)) != fingerprint) {
+    if (FingerprintOf(now.scene) != fingerprint) {
       throw TroubleError("the file of the scene '{}' is not the one that the state was saved with", now.scene);
     }
     Archive::Require(keys.size() == values.size());

@@ -102,5 +102,26 @@ TEST(Session, SaysWhenItHasGoneBackWithHalfTheStep) {
   EXPECT_EQ(session.System().parameters.time_step, step / 2);
 }
 
+TEST(Session, BuildsNoSceneWhoseFileIsNotTheOneThatAStateWasSavedWith) {
+  SceneRequest elsewhere;
+  elsewhere.scene = "toy-star";
+  std::uint64_t fingerprint = 1;
+  std::vector<std::string> keys;
+  std::vector<double> values;
+  std::vector<std::byte> state;
+  Archive writer = Archive::Writer(state, Archive::Extent::kSameBits);
+  TransferRequest(writer, elsewhere);
+  writer(fingerprint, keys, values);
+  Session session(SceneRequest{});
+  Archive reader = Archive::Reader(state, Archive::Extent::kSameBits);
+  try {
+    session.Transfer(reader);
+    FAIL() << "accepted";
+  } catch (const TroubleError& error) {
+    EXPECT_NE(std::string(error.what()).find("'toy-star'"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(session.CurrentScene().name, "dam-break");
+}
+
 }  // namespace
 }  // namespace sph
