@@ -65,13 +65,13 @@ bool DampingIsKept(const Scene& scene) {
   return (base.motion_damping + walls) * base.time_step < 1;
 }
 
-bool PromisesEnergy(const Scene& scene, bool calm) {
+bool PromisesEnergy(const Scene& scene, bool sound_liquid) {
   if (scene.solver == "mueller" || !DampingIsKept(scene)) return false;
   const bool periodic = scene.sph.periods.Any();
   if (periodic && CompleteParameters(scene).central_force != 0) return false;  // which has no potential there
   const bool everywhere = scene.sph.periods.in_x && scene.sph.periods.in_y;
   const bool liquid = scene.solver == "delta" && ReferenceDensity(scene.sph.equation_of_state) > 0;
-  return !liquid || (calm && (!scene.sph.delta.sharp_gradient || everywhere));
+  return !liquid || (sound_liquid && (!scene.sph.delta.sharp_gradient || everywhere));
 }
 
 /// Nothing moves at the start, and the walls hold what gravity and pressure push at them: behind every side of the
@@ -120,7 +120,7 @@ Promises PromisesOf(const Scene& scene, const ParticleSystemSPH& system) {
   const bool slow = IsSlowLiquid(scene, system);
   const bool balanced = slow && StartsInBalance(scene, system);
   const bool calm = slow && (balanced || even);
-  return {.energy = PromisesEnergy(scene, calm), .volume = slow, .rest = balanced && even, .calm = calm};
+  return {.energy = PromisesEnergy(scene, slow && even), .volume = slow, .rest = balanced && even, .calm = calm};
 }
 
 }  // namespace sph

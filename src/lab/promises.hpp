@@ -8,7 +8,8 @@ namespace sph {
 struct Promises {
   /// Kinetic, internal and potential energy together do not grow, but by what is put in, see EnergyBudget. Pressure
   /// derives from an internal energy in solver paper and, but for what its corrections leave, in delta; solver mueller
-  /// has forces that are no gradient of an energy.
+  /// has forces that are no gradient of an energy. (A liquid's pressure knows nothing of places at the start: random
+  /// ones may have their centre of mass too low.)
   bool energy = false;
   /// Liquids of delta: the volume, by densities and by places, stays.
   bool volume = false;

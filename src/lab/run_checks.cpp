@@ -51,10 +51,11 @@ void VolumeCheck::Add(double by_density, std::optional<double> by_place) {
   if (!first_) first_ = by_place;
   const double least = (1 - kMostDrift) * std::min(*first_, nominal_);
   const double most = (1 + kMostDrift) * std::max(*first_, nominal_);
-  if (!(*by_place >= least && *by_place <= most)) {
-    flaw_ = fmt::format("the area that particles fill went from {:.4g} to {:.4g} times the volume", *first_ / nominal_,
-                        *by_place / nominal_);
-  }
+  const bool kept = *by_place >= least && *by_place <= most;
+  out_of_range_ = kept ? 0 : out_of_range_ + 1;
+  if (out_of_range_ < kLooksInARow || !flaw_.empty()) return;
+  flaw_ = fmt::format("the area that particles fill went from {:.4g} to {:.4g} times the volume", *first_ / nominal_,
+                      *by_place / nominal_);
 }
 
 std::string RestCheck::Flaw() const {

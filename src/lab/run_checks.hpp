@@ -43,6 +43,7 @@ class EnergyBudget {
 class VolumeCheck {
  public:
   static constexpr double kMostDrift = 0.05;
+  static constexpr int kLooksInARow = 3;  ///< of areas: a gap seems filled just before it closes
 
   /// @param nominal  M/rho0 [m^2]
   explicit VolumeCheck(double nominal) : nominal_(nominal) {}
@@ -55,6 +56,7 @@ class VolumeCheck {
  private:
   double nominal_;
   std::optional<double> first_;
+  int out_of_range_ = 0;  // looks in a row
   std::string flaw_;
 };
 

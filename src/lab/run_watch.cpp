@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lab/filled_area.hpp"
 
@@ -16,18 +17,35 @@ double Mass(const ParticleSystem& system) {
   return mass;
 }
 
-/// The kinetic energy of a fluid so slow that it makes no difference: at a hundredth of the speed sqrt(g L) that its
-/// forces give it, L being its extent at the start, or at 1e-4 of its sound.
-double StillEnergy(const ParticleSystemSPH& system) {
-  const ParametersSPH& sph = system.parameters_sph;
-  const double rho0 = ReferenceDensity(sph.equation_of_state);
-  const double density = rho0 > 0 ? rho0 : Diagnose(system).density.mean;
-  const double c = std::visit([&](const auto& e) { return e.SoundSpeed(density); }, sph.equation_of_state);
+double Extent(const ParticleSystem& system) {
   const Box box = system.parameters.fluid.region.Bounds();
-  const double length = std::hypot(box.Width(), box.Height());
-  const double fall2 =
-      Length(system.parameters.gravity) * length + std::abs(system.parameters.central_force) * length * length;
-  return 0.5 * Mass(system) * std::max(1e-4 * fall2, 1e-8 * c * c);
+  return std::hypot(box.Width(), box.Height());
+}
+
+/// The square of the speed of a fall across the fluid as it is at the start, times a half [m^2/s^2].
+double Fall2(const ParticleSystem& system) {
+  const double extent = Extent(system);
+  return Length(system.parameters.gravity) * extent + std::abs(system.parameters.central_force) * extent * extent;
+}
+
+double Sound(const ParticleSystemSPH& system) {
+  const double rho0 = ReferenceDensity(system.parameters_sph.equation_of_state);
+  const double density = rho0 > 0 ? rho0 : Diagnose(system).density.mean;
+  return std::visit([&](const auto& e) { return e.SoundSpeed(density); }, system.parameters_sph.equation_of_state);
+}
+
+/// The kinetic energy of a fluid so slow that it makes no difference: 5e-5 of what its forces could give it, or at 1e-4
+/// of its sound.
+double StillEnergy(const ParticleSystemSPH& system) {
+  return Mass(system) * std::max(5e-5 * Fall2(system), 0.5e-8 * std::pow(Sound(system), 2));
+}
+
+/// What energies need not be known to: a liquid's centre of mass to half a per cent of its extent, which is a tenth of
+/// the drift that its volume may have; and what noise there is at 1/200 of sound, as densities are to be right to some
+/// per mille.
+double EnergyThatMayBeMissed(const ParticleSystemSPH& system) {
+  if (ReferenceDensity(system.parameters_sph.equation_of_state) <= 0) return StillEnergy(system);
+  return Mass(system) * std::max(5e-3 * Fall2(system), 0.5 * std::pow(0.005 * Sound(system), 2));
 }
 
 /// What a surface may set free: no more than if every particle were a square of its own.
@@ -60,6 +78,8 @@ double EnergyInWalls(const ParticleSystem& system) {
 /// Sprays and sheets have no area that could be seen to half a spacing: the layer of particles at the edge is most of
 /// them. A square of 14 x 14 that is free on all sides has a layer of 0.29, in a tank one of 0.07.
 constexpr double kLongestEdge = 0.25;  // over area and spacing
+/// A sheet two and a half spacings thick is no fluid to any method with neighbours: its energy means nothing.
+constexpr double kEdgeOfASheet = 0.8;
 
 /// The particles, and near the ends of periods their images, too.
 std::vector<Vec2> PointsOf(const ParticleSystemSPH& system) {
@@ -97,7 +117,7 @@ RunWatch::RunWatch(const Scene& scene, ParticleSystemSPH& system)
       rest_(StillEnergy(system)) {}
 
 EnergyBudget RunWatch::NewBudget() const {
-  return {StillEnergy(system_) + SurfaceEnergy(system_), Mass(system_), FastestSlide(scene_)};
+  return {EnergyThatMayBeMissed(system_) + SurfaceEnergy(system_), Mass(system_), FastestSlide(scene_)};
 }
 
 VolumeCheck RunWatch::NewVolume() const {
@@ -113,9 +133,9 @@ void RunWatch::Look() {
   if (WallsMove()) return Disturbed();
   const Diagnostics d = Diagnose(system_);
   AddWork(d);
-  if (!step_is_kept_) energy_ = NewBudget();
-  if (promises_.energy) energy_.Add(d.kinetic_energy, StoredEnergy(d), work_);
   if (promises_.volume && looks_ % kLooksApart == 0) LookAtVolume();
+  if (!step_is_kept_ || is_a_sheet_) energy_ = NewBudget();
+  if (promises_.energy) energy_.Add(d.kinetic_energy, StoredEnergy(d), work_);
   if (promises_.rest && !disturbed_) rest_.Add(d.kinetic_energy);
   Keep(energy_.Flaw());
   Keep(volume_.Flaw());
@@ -188,8 +208,9 @@ void RunWatch::LookAtVolume() {
   for (std::size_t i = 0; i < density.size(); ++i) by_density += system_.State().mass[i] / density[i];
   const double spacing = system_.InitialSpacing();
   const auto shape = FilledShapeOf(PointsOf(system_), spacing, Bounds());
-  const bool together = shape && shape->edge * spacing <= kLongestEdge * shape->area;
-  volume_.Add(by_density, together ? std::optional(shape->area) : std::nullopt);
+  const double edge = shape ? shape->edge * spacing / shape->area : std::numeric_limits<double>::infinity();
+  is_a_sheet_ = edge > kEdgeOfASheet;
+  volume_.Add(by_density, edge <= kLongestEdge ? std::optional(shape->area) : std::nullopt);
 }
 
 /// What walls and periods leave.

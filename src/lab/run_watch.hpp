@@ -50,6 +50,7 @@ class RunWatch {
   RestCheck rest_;
   bool disturbed_ = false;
   bool step_is_kept_ = true;
+  bool is_a_sheet_ = false;  // of a liquid
   long looks_ = 0;
   double work_ = 0;  // [J/m], of gravity along periods
   double power_ = 0, time_ = 0;

@@ -108,13 +108,14 @@ TEST(RunWatch, LeavesHealthyWaterAlone) {
 }
 
 TEST(RunWatch, FindsWaterThatSinksUnderItsDensity) {
-  const auto sink = [](OpenWater& water, long) { water.Sink(0.9998); };
-  EXPECT_NE(FlawOfWater({}, sink).find("the area that particles fill"), std::string::npos) << FlawOfWater({}, sink);
+  const auto sink = [](OpenWater& water, long) { water.Sink(0.9997); };
+  const std::string flaw = FlawOfWater({}, sink);
+  EXPECT_NE(flaw.find("the area that particles fill"), std::string::npos) << "flaw: " << flaw;
 }
 
 TEST(RunWatch, FindsEnergyThatIsPumped) {
   const auto pump = [](OpenWater& water, long) { water.parameters.motion_damping = -3; };
-  const std::string flaw = FlawOfWater({"fluid.velocity=[0.1,0.0]"}, pump);
+  const std::string flaw = FlawOfWater({"fluid.velocity=[1.0,0.0]"}, pump);
   EXPECT_NE(flaw.find("energy grew"), std::string::npos) << "flaw: " << flaw;
 }
 
