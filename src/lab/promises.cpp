@@ -47,6 +47,7 @@ double GreatestSpeed(const Scene& scene, const ParticleSystemSPH& system) {
 bool IsSlowLiquid(const Scene& scene, const ParticleSystemSPH& system) {
   const double rho0 = ReferenceDensity(scene.sph.equation_of_state);
   if (scene.solver != "delta" || rho0 <= 0) return false;
+  if (system.FlowAt(scene.base.fluid.region.Bounds().Centre()).density > 0) return false;  // a gas's, which swells
   const double c = std::visit([&](const auto& e) { return e.SoundSpeed(rho0); }, scene.sph.equation_of_state);
   const double dx = Spacing(scene.base.fluid);
   const double support = system.Support();

@@ -41,7 +41,7 @@ double EnergyBudget::Allowance() const {
   return kMostGrowth * available + dragged + still_;
 }
 
-void VolumeCheck::Add(double by_density, std::optional<double> by_place) {
+void VolumeCheck::Add(double by_density, std::optional<double> by_place, double unsure) {
   if (!flaw_.empty()) return;
   const double drift = by_density / nominal_ - 1;
   if (!(std::abs(drift) <= kMostDrift)) {
@@ -49,8 +49,8 @@ void VolumeCheck::Add(double by_density, std::optional<double> by_place) {
   }
   if (!by_place) return;
   if (!first_) first_ = by_place;
-  const double least = (1 - kMostDrift) * std::min(*first_, nominal_);
-  const double most = (1 + kMostDrift) * std::max(*first_, nominal_);
+  const double least = (1 - kMostDrift) * std::min(*first_, nominal_) - unsure;
+  const double most = (1 + kMostDrift) * std::max(*first_, nominal_) + unsure;
   const bool kept = *by_place >= least && *by_place <= most;
   out_of_range_ = kept ? 0 : out_of_range_ + 1;
   if (out_of_range_ < kLooksInARow || !flaw_.empty()) return;

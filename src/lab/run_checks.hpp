@@ -48,9 +48,10 @@ class VolumeCheck {
   /// @param nominal  M/rho0 [m^2]
   explicit VolumeCheck(double nominal) : nominal_(nominal) {}
 
+  /// @param unsure  of what they fill [m^2]: an edge of particles is ragged
   /// What particles fill is compared with what they filled at first and with the nominal volume, whichever is further
   /// away: random particles leave holes at first, which close.
-  void Add(double by_density, std::optional<double> by_place);
+  void Add(double by_density, std::optional<double> by_place, double unsure = 0);
   const std::string& Flaw() const { return flaw_; }
 
  private:

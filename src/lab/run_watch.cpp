@@ -78,6 +78,8 @@ double EnergyInWalls(const ParticleSystem& system) {
 /// Sprays and sheets have no area that could be seen to half a spacing: the layer of particles at the edge is most of
 /// them. A square of 14 x 14 that is free on all sides has a layer of 0.29, in a tank one of 0.07.
 constexpr double kLongestEdge = 0.25;  // over area and spacing
+/// Part of a spacing to which an edge is known where its particles are in no row: dents between them are filled.
+constexpr double kRaggedness = 0.25;
 /// A sheet two and a half spacings thick is no fluid to any method with neighbours: its energy means nothing.
 constexpr double kEdgeOfASheet = 0.8;
 
@@ -210,7 +212,8 @@ void RunWatch::LookAtVolume() {
   const auto shape = FilledShapeOf(PointsOf(system_), spacing, Bounds());
   const double edge = shape ? shape->edge * spacing / shape->area : std::numeric_limits<double>::infinity();
   is_a_sheet_ = edge > kEdgeOfASheet;
-  volume_.Add(by_density, edge <= kLongestEdge ? std::optional(shape->area) : std::nullopt);
+  if (edge > kLongestEdge) return volume_.Add(by_density, std::nullopt);
+  volume_.Add(by_density, shape->area, kRaggedness * spacing * shape->edge);
 }
 
 /// What walls and periods leave.

@@ -87,6 +87,16 @@ TEST(VolumeCheck, LooksOverAGapThatSeemsFilledJustBeforeItCloses) {
   EXPECT_EQ(check.Flaw(), "");
 }
 
+TEST(VolumeCheck, LeavesRoomForWhatIsUnsure) {
+  VolumeCheck check(2), unsure(2);
+  for (int k = 0; k < 2 * VolumeCheck::kLooksInARow; ++k) {
+    check.Add(2, k == 0 ? 2.0 : 1.87);
+    unsure.Add(2, k == 0 ? 2.0 : 1.87, 0.05);
+  }
+  EXPECT_NE(check.Flaw(), "");
+  EXPECT_EQ(unsure.Flaw(), "");
+}
+
 TEST(VolumeCheck, LetsTheHolesOfARandomStartClose) {
   VolumeCheck check(2);
   for (const double area : {1.6, 1.8, 2.0, 2.05}) check.Add(2, area);
