@@ -68,6 +68,8 @@ bool DampingIsKept(const Scene& scene) {
 
 bool PromisesEnergy(const Scene& scene, bool sound_liquid) {
   if (scene.solver == "mueller" || !DampingIsKept(scene)) return false;
+  // Particles are put back on walls that reflect them, against the pressure of the others: that puts energy in.
+  if (!scene.base.walls.empty() && scene.base.wall.kind == WallKind::kReflect) return false;
   const bool periodic = scene.sph.periods.Any();
   if (periodic && CompleteParameters(scene).central_force != 0) return false;  // which has no potential there
   const bool everywhere = scene.sph.periods.in_x && scene.sph.periods.in_y;
@@ -121,7 +123,7 @@ Promises PromisesOf(const Scene& scene, const ParticleSystemSPH& system) {
   const bool slow = IsSlowLiquid(scene, system);
   const bool balanced = slow && StartsInBalance(scene, system);
   const bool calm = slow && (balanced || even);
-  return {.energy = PromisesEnergy(scene, slow && even), .volume = slow, .rest = balanced && even, .calm = calm};
+  return {.energy = PromisesEnergy(scene, slow && even), .volume = calm, .rest = balanced && even, .calm = calm};
 }
 
 }  // namespace sph

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "lab/known_keys.hpp"
 #include "lab/random_scene.hpp"
 #include "scenes/build.hpp"
 #include "scenes/request.hpp"
@@ -192,12 +193,17 @@ TEST(RandomScene, IsMostlyAcceptedWhereItIsPlausible) {
     EXPECT_NO_THROW(MakeSystem(scene)) << random.text;
   }
   EXPECT_GT(plausible, 200) << "so that most of all are accepted";
-  for (const char* kind :
-       {"a tank", "a channel", "vortices", "a drop", "a star", "a tank of the documents", "slip = \"none\"",
-        "slide = ", "fluid.arrange = \"random\"", "fluid.arrange = \"lattice\"", "fluid.arrange = \"jittered\"",
-        "fluid.arrange = \"perturbed\"", "fluid.arrange = \"hexagonal\"", "fluid.arrange = \"relaxed\""}) {
-    EXPECT_NE(everything.find(kind), std::string::npos) << kind;
+  std::vector<std::string> kinds = {"a tank",
+                                    "a channel",
+                                    "vortices",
+                                    "a drop",
+                                    "a star",
+                                    "a tank of the documents",
+                                    WallsHaveKey("slide") ? "\nslide = " : "\ntangential_velocity = "};
+  for (const char* key : {"fluid.arrange", "solver", "walls.kind", "walls.slip"}) {
+    for (const std::string& choice : ChoicesOf(key)) kinds.push_back(fmt::format("{} = \"{}\"", key, choice));
   }
+  for (const std::string& kind : kinds) EXPECT_NE(everything.find(kind), std::string::npos) << kind;
 }
 
 TEST(RandomScene, SetsEveryKeyOfTheSchemaNowAndThen) {
