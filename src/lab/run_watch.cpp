@@ -22,8 +22,8 @@ double Extent(const ParticleSystem& system) {
   return std::hypot(box.Width(), box.Height());
 }
 
-/// The square of the speed of a fall across the fluid as it is at the start, times a half [m^2/s^2].
-double Fall2(const ParticleSystem& system) {
+/// What the forces could give a particle on its way across the fluid as it is at the start [J/kg].
+double FallAcross(const ParticleSystem& system) {
   const double extent = Extent(system);
   return Length(system.parameters.gravity) * extent + std::abs(system.parameters.central_force) * extent * extent;
 }
@@ -37,7 +37,7 @@ double Sound(const ParticleSystemSPH& system) {
 /// The kinetic energy of a fluid so slow that it makes no difference: 5e-5 of what its forces could give it, or at 1e-4
 /// of its sound.
 double StillEnergy(const ParticleSystemSPH& system) {
-  return Mass(system) * std::max(5e-5 * Fall2(system), 0.5e-8 * std::pow(Sound(system), 2));
+  return Mass(system) * std::max(5e-5 * FallAcross(system), 0.5e-8 * std::pow(Sound(system), 2));
 }
 
 /// What energies need not be known to: a liquid's centre of mass to half a per cent of its extent, which is a tenth of
@@ -45,7 +45,7 @@ double StillEnergy(const ParticleSystemSPH& system) {
 /// per mille.
 double EnergyThatMayBeMissed(const ParticleSystemSPH& system) {
   if (ReferenceDensity(system.parameters_sph.equation_of_state) <= 0) return StillEnergy(system);
-  return Mass(system) * std::max(5e-3 * Fall2(system), 0.5 * std::pow(0.005 * Sound(system), 2));
+  return Mass(system) * std::max(5e-3 * FallAcross(system), 0.5 * std::pow(0.005 * Sound(system), 2));
 }
 
 /// What a surface may set free: no more than if every particle were a square of its own.
@@ -156,7 +156,8 @@ void RunWatch::Disturbed() {
 }
 
 void RunWatch::BrokeDown(const std::string& how) {
-  if (promises_.calm && step_is_kept_ && !WallsMove()) Keep("broke down with a step that kept its limits: " + how);
+  if (promises_.calm && step_is_kept_ && !is_a_sheet_ && !WallsMove())
+    Keep("broke down with a step that kept its limits: " + how);
   Disturbed();
 }
 
