@@ -153,6 +153,28 @@ TEST(RunWatch, FindsAStepThatBreaksDownWithinItsLimits) {
   EXPECT_NE(watch.Flaw().find("it burst"), std::string::npos);
 }
 
+TEST(RunWatch, KnowsWhatASoftWallHoldsOfAFluidThatBouncesOffIt) {
+  Scene scene = ParseScene(R"(
+title = "bounce"
+fluid = { particles = 25, mass = 0.01, arrange = "lattice", velocity = [0.0, -1.0], region = { box = [0.0, 0.0, 0.5, 0.5] } }
+equation_of_state.polytrope.k = 1e-6
+method = { smoothing_length = 0.1, time_step = 0.001 }
+walls = { kind = "penalty", stiffness = 10.0 }
+wall = [ { name = "floor", at = 0.0, fluid = "above" } ]
+)",
+                           "bounce.toml");
+  scene.base.threads = 1;
+  const auto system = MakeSystem(scene);
+  RunWatch watch(scene, *system);
+  for (long k = 1; k <= 1500; ++k) {
+    system->Step();
+    if (k % RunWatch::kStepsApart == 0) watch.Look();
+  }
+  EXPECT_GT(system->DeepestPenetration(), 0.2) << "it stops in the wall for a while";
+  EXPECT_GT(system->State().vy[0], 0.5) << "and comes back";
+  EXPECT_EQ(watch.Flaw(), "");
+}
+
 TEST(RunWatch, CountsTheWorkOfAForceAlongAPeriodAsPutIn) {
   Scene scene = ParseScene(R"(
 title = "carried along"
