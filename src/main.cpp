@@ -174,7 +174,7 @@ class CommandLine {
     command->add_flag("--quick", stress_.options.quick, "small systems and short runs, about half a minute");
     command->add_option("--count", stress_.options.count, "of starts or random scenes")
         ->check(CLI::Range(1L, 100'000'000L));
-    command->add_option("--seed", stress_.options.seed, "of the first of them")->capture_default_str();
+    command->add_option("--seed", stress_.options.seed, "of the first of them; default: 1, of random scenes the day's");
     command->add_option("--threads", stress_.options.threads, "0: as many as there are processors")
         ->check(CLI::Range(0, 4096));
     command->add_flag("--json", stress_.json,

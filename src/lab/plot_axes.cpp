@@ -107,12 +107,12 @@ double ToAxis(double value, Scale scale) { return scale == Scale::kLog ? std::lo
 double FromAxis(double position, Scale scale) { return scale == Scale::kLog ? std::pow(10.0, position) : position; }
 
 /// Both in the axis's own measure: decades on a logarithmic axis.
-struct AxisEnds {
+struct DataEnds {
   double low = 0;
   double high = 1;
 };
 
-AxisEnds Widened(AxisEnds ends, Scale scale) {
+DataEnds Widened(DataEnds ends, Scale scale) {
   const double size = std::max(std::abs(ends.low), std::abs(ends.high));
   const double least = scale == Scale::kLog ? kNarrowest : std::max(kNarrowest * size, 1 / kLargest);
   if (ends.high - ends.low > least) return ends;
@@ -120,9 +120,9 @@ AxisEnds Widened(AxisEnds ends, Scale scale) {
   return {ends.low - room, ends.high + room};
 }
 
-AxisEnds WithMargin(AxisEnds ends, Scale scale) {
+DataEnds WithMargin(DataEnds ends, Scale scale) {
   const double margin = kMargin * (ends.high - ends.low);
-  AxisEnds wider = {ends.low - margin, ends.high + margin};
+  DataEnds wider = {ends.low - margin, ends.high + margin};
   if (scale == Scale::kLinear && ends.low >= 0) wider.low = std::max(wider.low, 0.0);
   if (scale == Scale::kLinear && ends.high <= 0) wider.high = std::min(wider.high, 0.0);
   const double furthest = scale == Scale::kLog ? std::log10(kLargest) : 2 * kLargest;
@@ -194,7 +194,7 @@ AxisMap FitAxis(const Axis& axis, const Extent& data, bool margin) {
   for (const auto& end : {axis.low, axis.high}) {
     SPH_CHECK(!end || Drawable(*end, axis.scale), "axis '{}' ends at {}", axis.label, *end);
   }
-  AxisEnds ends = {0, 1};
+  DataEnds ends = {0, 1};
   if (!data.Empty()) {
     ends = Widened({ToAxis(data.Low(), axis.scale), ToAxis(data.High(), axis.scale)}, axis.scale);
     if (margin) ends = WithMargin(ends, axis.scale);

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/random.hpp"
+#include "lab/dice.hpp"
+#include "lab/known_keys.hpp"
+#include "lab/plausible_scene.hpp"
 #include "scenes/catalogue.hpp"
 #include "scenes/request.hpp"
 #include "scenes/scene_keys.hpp"
@@ -15,95 +17,6 @@
 
 namespace sph {
 namespace {
-
-/// The names that a key takes, from its refusal of one that is none; empty if it takes no names.
-std::vector<std::string> ChoicesOf(const SceneKey& key) {
-  Scene scene;
-  const toml::value<std::string> node("-");
-  try {
-    key.apply(scene, Value(node, key.name, "--set"));
-  } catch (const UsageError& error) {
-    const std::string message = error.what();
-    const std::string head = "one of: ";
-    const auto begin = message.find(head);
-    if (begin == std::string::npos) return {};
-    std::vector<std::string> names;
-    std::string list = message.substr(begin + head.size());
-    list.resize(std::min(list.find('.'), list.size()));
-    for (std::size_t at = 0; at < list.size();) {
-      const auto comma = std::min(list.find(", ", at), list.size());
-      names.push_back(list.substr(at, comma - at));
-      at = comma + 2;
-    }
-    return names;
-  }
-  return {};
-}
-
-enum class Kind { kNumber, kWhole, kText, kVec2, kBox };
-
-bool Takes(const SceneKey& key, const toml::node& node) {
-  Scene scene;
-  try {
-    key.apply(scene, Value(node, key.name, "--set"));
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-Kind KindOf(const SceneKey& key) {
-  if (Takes(key, toml::array{0.0, 0.0, 1.0, 1.0})) return Kind::kBox;
-  if (Takes(key, toml::array{0.5, 0.5})) return Kind::kVec2;
-  if (Takes(key, toml::value<double>(0.5)) || Takes(key, toml::value<double>(1.5))) return Kind::kNumber;
-  if (Takes(key, toml::value<std::int64_t>(1))) return Kind::kWhole;
-  return Kind::kText;
-}
-
-/// What is known of a key without looking into the table.
-struct KnownKey {
-  std::string name;
-  Kind kind = Kind::kText;
-  std::vector<std::string> choices = {};
-  bool required = false;
-  bool negative = false;  ///< takes negative numbers
-  bool large = false;     ///< takes numbers above 1
-};
-
-const std::vector<KnownKey>& KnownKeys() {
-  static const std::vector<KnownKey> keys = [] {
-    std::vector<KnownKey> all;
-    for (const SceneKey& key : AllSceneKeys()) {
-      all.push_back({key.name, KindOf(key), ChoicesOf(key), key.required, Takes(key, toml::value<double>(-0.5)),
-                     Takes(key, toml::value<double>(1.5))});
-    }
-    return all;
-  }();
-  return keys;
-}
-
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : random_(seed) {}
-
-  bool Chance(double probability) { return random_.Uniform() < probability; }
-  std::size_t Below(std::size_t n) { return static_cast<std::size_t>(random_.Uniform() * static_cast<double>(n)); }
-  template <typename T>
-  const T& OneOf(const std::vector<T>& all) {
-    return all[Below(all.size())];
-  }
-  /// Mostly of the size of what scenes have, now and then of any size or sign.
-  double Number() {
-    if (Chance(0.05)) return 0;
-    const double reach = Chance(0.1) ? 300 : Chance(0.3) ? 6 : 2;
-    const double size = std::pow(10, random_.Uniform(-reach, reach));
-    return Chance(0.15) ? -size : size;
-  }
-  double Uniform(double low, double high) { return random_.Uniform(low, high); }
-
- private:
-  Random random_;
-};
 
 /// Particles in numbers that can be run ten thousand times.
 std::size_t Count(Dice& dice) { return 1 + dice.Below(dice.Chance(0.2) ? 8 : 250); }
@@ -118,19 +31,19 @@ std::string ValueOf(const KnownKey& key, Dice& dice) {
   if (key.name.ends_with("particles")) return std::to_string(Count(dice));
   if (!key.choices.empty()) return fmt::format("\"{}\"", dice.OneOf(key.choices));
   switch (key.kind) {
-    case Kind::kNumber: {
+    case KeyKind::kNumber: {
       const double number = dice.Number();
       const bool obey = dice.Chance(0.97);  // else it is to be refused
       const double size = obey && !key.large ? std::fmod(std::abs(number), 1.0) : number;
       return fmt::format("{:e}", obey && !key.negative ? std::abs(size) : size);  // a float, whatever its value
     }
-    case Kind::kWhole:
+    case KeyKind::kWhole:
       return std::to_string(static_cast<long>(std::clamp(std::abs(dice.Number()), dice.Chance(0.1) ? 0.0 : 1.0, 30.0)));
-    case Kind::kVec2:
+    case KeyKind::kVec2:
       return fmt::format("[{:e}, {:e}]", dice.Number(), dice.Number());
-    case Kind::kBox:
+    case KeyKind::kBox:
       return BoxAround(dice);
-    case Kind::kText:
+    case KeyKind::kText:
       break;
   }
   return key.name == "arrows.wall" ? "\"a\"" : "\"text\"";
@@ -233,9 +146,13 @@ std::vector<std::string> Settings(const std::string& solver, Dice& dice) {
 }  // namespace
 
 RandomScene MakeRandomScene(std::uint64_t seed) {
+  constexpr double kPlausible = 0.55, kOfTheCatalogue = 0.2;  // the rest is made of any keys
   Dice dice(seed);
   RandomScene scene;
-  if (dice.Chance(0.5)) {
+  const double choice = dice.Uniform(0, 1);
+  if (choice < kPlausible) {
+    scene.text = PlausibleScene(dice);
+  } else if (choice < kPlausible + kOfTheCatalogue) {
     scene.base = dice.OneOf(SceneNames());
     SceneRequest request;
     request.scene = scene.base;

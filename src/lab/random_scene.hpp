@@ -1,4 +1,4 @@
-// Scenes that nobody has thought of: random values for random keys of the whole table of scene keys.
+// Scenes that nobody has thought of: such as people write, and random values for random keys of the whole table.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace sph {
 
-/// A scene file. Every second one that can be read at all is a catalogue's scene with a few keys set anew; the others
-/// are made from nothing. Same seed, same text. What it says may be refused by the loader.
+/// A scene file: a plausible one, a catalogue's scene with a few keys set anew, or one of random keys, which the loader
+/// mostly refuses. Same seed, same text.
 struct RandomScene {
-  std::string base;                   ///< a scene of the catalogue; empty: none
-  std::string text;                   ///< if there is no base
-  std::vector<std::string> settings;  ///< "KEY=VALUE", on top
+  std::string base = {};                   ///< a scene of the catalogue; empty: none
+  std::string text = {};                   ///< if there is no base
+  std::vector<std::string> settings = {};  ///< "KEY=VALUE", on top
 };
 
 RandomScene MakeRandomScene(std::uint64_t seed);

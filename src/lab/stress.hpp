@@ -1,6 +1,7 @@
 // Numerical stability put to the test: each test a row of one table, what it found rows with a bar, plots and tables.
 #pragma once
 
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -27,11 +28,13 @@ struct StressRow {
 };
 
 struct StressOptions {
-  bool quick = false;         ///< small systems and short runs
-  int threads = 0;            ///< 0: as many as there are processors
-  std::uint64_t seed = 1;     ///< of the first start or scene; the others follow
+  bool quick = false;  ///< small systems and short runs
+  int threads = 0;     ///< 0: as many as there are processors
+  /// Of the first start or scene; the others follow. Default: 1, and for random scenes one of the day.
+  std::optional<std::uint64_t> seed;
   std::optional<long> count;  ///< of starts or scenes; default: the test's own
 
+  std::uint64_t FirstSeed() const { return seed.value_or(1); }
   long CountOr(long full, long small) const { return count.value_or(quick ? small : full); }
 };
 
@@ -77,6 +80,9 @@ inline constexpr double kNoValue = std::numeric_limits<double>::infinity();
 /// The greatest value for which `holds` says so, up to a factor 1 + `accuracy`: `holds(low)` is taken for granted,
 /// `high` is doubled until it does not hold; kNoValue if it always does.
 double GreatestThatHolds(double low, double high, double accuracy, const std::function<bool(double)>& holds);
+
+/// The first of the random scenes of a day: the day as a number, with room for a hundred thousand behind it.
+std::uint64_t SeedOfDay(std::chrono::sys_days day);
 
 /// The first thing of a system that a program may not print: a number that is none, an index that is twice there.
 /// Empty if all is in order.

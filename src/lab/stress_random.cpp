@@ -1,137 +1,120 @@
-// Random scenes: each is refused, or runs for some tens of steps and ends well, or unstable with its cause named.
+// Random scenes: each is refused, or keeps what it promises for a thousand steps, or ends unstable with its cause
+// named.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <new>
+#include <set>
 
-#include "base/clock.hpp"
-#include "base/error.hpp"
-#include "base/random.hpp"
-#include "lab/random_scene.hpp"
+#include "lab/known_keys.hpp"
+#include "lab/promises.hpp"
+#include "lab/random_course.hpp"
 #include "lab/stress.hpp"
-#include "particles/guard.hpp"
-#include "scenes/build.hpp"
-#include "scenes/changes.hpp"
-#include "scenes/request.hpp"
-#include "scenes/scene_file.hpp"
 
 namespace sph {
 namespace {
 
-enum class Ending { kRefused, kOk, kUnstable, kFlawed };
+constexpr long kUsualSteps = 1000, kManySteps = 20'000;
+constexpr std::uint64_t kManyEvery = 64;  ///< of ten thousand scenes more than a hundred are accepted and take so many
+constexpr long kRandomScenes = 10'000, kRandomScenesOfQuick = 40;
+constexpr double kMostRefused = 0.5;  // of all
+/// Of so many scenes every kind is among those that are accepted.
+constexpr long kScenesWithEveryKind = 1000;
 
-struct Course {
-  Ending ending = Ending::kOk;
-  std::string flaw = {};
-  double seconds = 0;
-};
+long StepsOf(std::uint64_t seed, bool quick) { return !quick && seed % kManyEvery == 0 ? kManySteps : kUsualSteps; }
 
-Scene Load(const RandomScene& random, std::uint64_t seed, int threads) {
-  constexpr std::size_t kMost = 250;
-  Scene scene;
-  if (random.base.empty()) {
-    scene = ParseScene(random.text, "random.toml", random.settings);
-  } else {
-    SceneRequest request;
-    request.scene = random.base;
-    request.settings = random.settings;
-    scene = LoadScene(request);
-    // As many as a scene has take too long ten thousand times.
-    request.particles = kMost;
-    if (scene.base.fluid.particles > kMost) scene = LoadScene(request);
+/// Kinds of scenes that shall be among those that are accepted.
+std::set<std::string> AllKinds() {
+  std::set<std::string> kinds = {"tilted gravity", "sticking walls", "sliding walls"};
+  for (const char* key : {"solver", "fluid.arrange", "fluid.flow", "walls.kind"}) {
+    for (const std::string& choice : ChoicesOf(key)) kinds.insert(fmt::format("{} {}", key, choice));
   }
-  constexpr double kMostSettling = 20;  // steps
-  scene.settling.time = std::min(scene.settling.time, kMostSettling * scene.base.time_step);
-  scene.base.threads = threads;
-  scene.base.seed = seed;
-  return scene;
+  return kinds;
 }
 
-/// What a person may do meanwhile.
-std::size_t Disturb(Scene& scene, ParticleSystemSPH& system, Random& random) {
-  constexpr std::size_t kMost = 500;  // of a block that is dropped ten thousand times
-  const double choice = random.Uniform();
-  try {
-    if (choice < 0.3) PressSceneKey("d", scene, system);
-  } catch (const UsageError&) {
-    return 0;  // the fluid does not bear it
-  }
-  if (choice > 0.3 && choice < 0.5 && system.parameters.drop.particles < kMost && system.DropBlock().empty()) {
-    return system.parameters.drop.particles;
-  }
-  if (Wall* wall = FindWall(system.parameters.walls, scene.arrow_wall); choice > 0.5 && wall != nullptr) {
-    wall->velocity = choice < 0.75 ? -scene.arrow_speed : scene.arrow_speed;
-  }
-  return 0;
+std::vector<std::string> KindsOf(const Scene& scene) {
+  const auto name = [](const char* key, auto choice) {
+    return fmt::format("{} {}", key, ChoicesOf(key)[static_cast<std::size_t>(choice)]);
+  };
+  std::vector<std::string> kinds = {"solver " + scene.solver, name("fluid.arrange", scene.base.fluid.arrange)};
+  if (scene.sph.flow != nullptr) kinds.push_back("fluid.flow " + scene.sph.flow->name);
+  if (scene.base.gravity.x != 0) kinds.push_back("tilted gravity");
+  if (scene.base.walls.empty()) return kinds;
+  kinds.push_back(name("walls.kind", scene.base.wall.kind));
+  if (scene.base.wall.no_slip && scene.base.wall.SeenByFluid()) kinds.push_back("sticking walls");
+  if (FastestSlide(scene) > 0) kinds.push_back("sliding walls");
+  return kinds;
 }
 
-std::string Run(Scene& scene, ParticleSystemSPH& system, Guard& guard, Random& random) {
-  constexpr int kSteps = 40;
-  std::size_t expected = system.State().Size();
-  for (int k = 0; k < kSteps && !system.Trouble(); ++k) {
-    if (k == kSteps / 2) {
-      expected += Disturb(scene, system, random);
-      guard.Mark();
+/// What became of the scenes.
+class Tally {
+ public:
+  Tally() : missing_(AllKinds()) {}
+
+  void Add(std::uint64_t seed, long steps, const Course& course) {
+    ++endings_[static_cast<std::size_t>(course.ending)];
+    if (course.ending == Ending::kFlawed) flaws_.push_back(fmt::format("seed {}: {}", seed, course.flaw));
+    if (course.ending != Ending::kRefused) {
+      for (const std::string& kind : KindsOf(course.scene)) missing_.erase(kind);
+      if (steps == kManySteps) ++long_ones_;
     }
-    guard.Step();
+    if (course.seconds <= slowest_) return;
+    slowest_ = course.seconds;
+    of_slowest_ = seed;
   }
-  guard.ComputeFields();
-  if (system.State().Size() != expected) return fmt::format("{} particles of {}", system.State().Size(), expected);
-  if (system.Trouble() && system.Trouble()->limit.empty()) return "unstable without a cause";
-  return FirstFlaw(system);
-}
 
-Course CourseOf(std::uint64_t seed, int threads) {
-  const Stopwatch watch;
-  Course course;
-  try {
-    Scene scene = Load(MakeRandomScene(seed), seed, threads);
-    const auto system = MakeSystem(scene);
-    Guard guard(*system, scene.retries);
-    Random random(seed);
-    course.flaw = Run(scene, *system, guard, random);
-    course.ending = !course.flaw.empty() ? Ending::kFlawed : system->Trouble() ? Ending::kUnstable : Ending::kOk;
-  } catch (const UsageError&) {
-    course.ending = Ending::kRefused;
-  } catch (const TroubleError&) {
-    course.ending = Ending::kUnstable;  // while it settled, before its clock started
-  } catch (const std::exception& error) {
-    course = {Ending::kFlawed, error.what()};
+  void Report(const std::string& what, long count, StressSink& sink) const {
+    const auto number = [&](Ending ending) { return endings_[static_cast<std::size_t>(ending)]; };
+    constexpr std::size_t kShown = 3;
+    const auto shown = std::span(flaws_).first(std::min(kShown, flaws_.size()));
+    sink.Row({what, "flawed", static_cast<double>(flaws_.size()), 0,
+              fmt::format("{} ok, {} unstable, {} refused, {} of {} steps{}{}", number(Ending::kOk),
+                          number(Ending::kUnstable), number(Ending::kRefused), long_ones_, kManySteps,
+                          shown.empty() ? "" : "; first flaws: ", fmt::join(shown, "; "))});
+    if (count >= kScenesWithEveryKind) {
+      sink.Row({what, "refused, share", static_cast<double>(number(Ending::kRefused)) / static_cast<double>(count),
+                kMostRefused});
+      sink.Row({what, "kinds of scenes that were not there", static_cast<double>(missing_.size()), 0,
+                fmt::format("{}", fmt::join(missing_, ", "))});
+    }
+    sink.Row({what, "slowest [s]", slowest_, 60, fmt::format("seed {}", of_slowest_)});
   }
-  course.seconds = watch.Seconds();
-  return course;
-}
+
+  const std::vector<std::string>& Flaws() const { return flaws_; }
+
+ private:
+  std::array<long, 4> endings_{};
+  std::vector<std::string> flaws_;
+  std::set<std::string> missing_;
+  long long_ones_ = 0;
+  double slowest_ = 0;  // [s]
+  std::uint64_t of_slowest_ = 0;
+};
 
 }  // namespace
 
+std::uint64_t SeedOfDay(std::chrono::sys_days day) {
+  constexpr std::uint64_t kRoom = 100'000;
+  const std::chrono::year_month_day date(day);
+  const auto year = static_cast<std::uint64_t>(static_cast<int>(date.year()));
+  return ((year * 100 + static_cast<unsigned>(date.month())) * 100 + static_cast<unsigned>(date.day())) * kRoom;
+}
+
 void StressRandom(const StressOptions& options, StressSink& sink) {
-  constexpr unsigned kPatience = 60;  // [s]
-  const long count = options.CountOr(10'000, 150);
-  if (count == 1) sink.Say(Describe(MakeRandomScene(options.seed)));  // to be repeated by hand
-  std::array<long, 4> endings{};
-  std::string first_flaw;
-  double slowest = 0;
-  std::uint64_t of_slowest = options.seed;
-  for (long k = 0; k < count; ++k) {
+  constexpr unsigned kPatience = 300;  // [s]
+  const long count = options.CountOr(kRandomScenes, kRandomScenesOfQuick);
+  const auto today = std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now());
+  const std::uint64_t first = options.seed.value_or(SeedOfDay(today));
+  if (count == 1) sink.Say(Describe(MakeRandomScene(first)));  // to be repeated by hand
+  Tally tally;
+  for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
     if (sink.Stopped()) return;
-    const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
     sink.Note(fmt::format("random: seed {}", seed), kPatience);
-    const Course course = CourseOf(seed, options.threads);
-    ++endings[static_cast<std::size_t>(course.ending)];
-    if (course.ending == Ending::kFlawed && first_flaw.empty()) {
-      first_flaw = fmt::format("seed {}: {}", seed, course.flaw);
-    }
-    if (course.seconds > slowest) of_slowest = seed;
-    slowest = std::max(slowest, course.seconds);
+    const long steps = StepsOf(seed, options.quick);
+    tally.Add(seed, steps, CourseOf(MakeRandomScene(seed), seed, steps, options.threads));
   }
-  const auto number = [&](Ending ending) { return endings[static_cast<std::size_t>(ending)]; };
-  const std::string what = fmt::format("{} scenes, seeds from {} on", count, options.seed);
-  sink.Row({what, "flawed: not a number, lost, no cause", static_cast<double>(number(Ending::kFlawed)), 0,
-            fmt::format("{} ok, {} unstable, {} refused{}{}", number(Ending::kOk), number(Ending::kUnstable),
-                        number(Ending::kRefused), first_flaw.empty() ? "" : "; first flaw: ", first_flaw)});
-  sink.Row({what, "slowest [s]", slowest, 10, fmt::format("seed {}", of_slowest)});
+  tally.Report(fmt::format("{} scenes, seeds from {} on", count, first), count, sink);
 }
 
 }  // namespace sph

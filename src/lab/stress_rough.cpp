@@ -303,7 +303,7 @@ void StressRough(const StressOptions& options, StressSink& sink) {
       request.scene = of.name;
       request.settings = of.settings;
       request.particles = of.particles;
-      request.seed = options.seed;
+      request.seed = options.FirstSeed();
       request.threads = options.threads;
       const Scene scene = LoadScene(request);
       const auto& walls = scene.base.walls;

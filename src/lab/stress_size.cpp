@@ -32,7 +32,7 @@ struct Sunk {
 Sunk RunOf(std::size_t particles, const char* scaling, const StressOptions& options) {
   SceneRequest request;
   request.particles = particles;
-  request.seed = options.seed;
+  request.seed = options.FirstSeed();
   request.threads = options.threads;
   request.settings = {std::string("walls.scaling=") + scaling, "method.precision=float"};
   const Scene scene = LoadScene(request);

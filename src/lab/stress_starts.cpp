@@ -75,10 +75,10 @@ void OfScene(const KeyedScene& course, const StressOptions& options, StressSink&
   const long count = options.CountOr(1000, 6);
   long unstable = 0, outside = 0, retreats = 0;
   double deepest = 0;
-  std::uint64_t of_deepest = options.seed;
+  std::uint64_t of_deepest = options.FirstSeed();
   std::vector<double> depths;
   for (long k = 0; k < count && !sink.Stopped(); ++k) {
-    const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
+    const std::uint64_t seed = options.FirstSeed() + static_cast<std::uint64_t>(k);
     sink.Note(fmt::format("starts: {} seed {}", course.scene, seed));
     const Outcome outcome = RunOf(course, seed, options.threads);
     unstable += outcome.unstable ? 1 : 0;
@@ -90,7 +90,7 @@ void OfScene(const KeyedScene& course, const StressOptions& options, StressSink&
   }
   if (sink.Stopped()) return;
   const std::string what =
-      fmt::format("{}, {} seeds from {} on, until {} s{}", course.scene, count, options.seed, course.until,
+      fmt::format("{}, {} seeds from {} on, until {} s{}", course.scene, count, options.FirstSeed(), course.until,
                   course.key.empty() ? "" : fmt::format(", {} at {} s", course.key, course.press_at));
   sink.Row(
       {what, "unstable runs", static_cast<double>(unstable), 0, fmt::format("{} steps undone and halved", retreats)});
