@@ -5,6 +5,7 @@
 #include <array>
 
 #include "sph/delta_passes.hpp"
+#include "sph/kernel_properties.hpp"
 #include "sph/particle_system_sph.hpp"
 #include "sph/side_velocities.hpp"
 #include "sph/surface_tension.hpp"
@@ -19,6 +20,10 @@ namespace sph {
 /// velocities of that time: positions are put back by half a step for that pass. Then come the forces at t. As both are
 /// centred, the scheme is of second order; it would be reversible if the rate did not multiply by the density of t -
 /// dt. The renormalised gradient of density, which the diffusion needs, comes with the forces of the step before.
+///
+/// Shifting is part of that: the particles move by u dt + dr, halfway by half of both, and density changes by dr.grad
+/// rho beside its rate, as it is another place's [P. N. Sun et al., Comput. Methods Appl. Mech. Eng. 348 (2019) 912]. A
+/// shift that is put behind the step instead is a first-order error at every step, heard as sound.
 class Delta : public ParticleSystemSPH {
  public:
   Delta(const Parameters& base, const ParametersSPH& sph);
@@ -50,12 +55,17 @@ class Delta : public ParticleSystemSPH {
   /// Of a liquid, in the order of the particles, images after them.
   template <typename Real>
   struct Arrays {
-    std::vector<Real> volume, excess, pressure, vx, vy, gradient_x, gradient_y, wholeness, next_wholeness, rate;
-    std::vector<Real> shift_x, shift_y;
+    std::vector<Real> volume, excess, pressure, vx, vy, gradient_x, gradient_y, wholeness, next_wholeness;
+    std::vector<Real> rate, strain, concentration, covered;
+    std::vector<Real> shift_x, shift_y;  // sums of the force pass; once the step is made, the shifts [m]
 
-    std::array<std::vector<Real>*, 12> All() {
-      return {&volume,     &excess,    &pressure,       &vx,   &vy,      &gradient_x,
-              &gradient_y, &wholeness, &next_wholeness, &rate, &shift_x, &shift_y};
+    std::array<std::vector<Real>*, 15> All() {
+      return {&volume, &excess, &pressure, &vx,            &vy,      &gradient_x, &gradient_y, &wholeness, &next_wholeness,
+              &rate,   &strain, &shift_x,  &concentration, &covered, &shift_y};
+    }
+    /// What a step leaves to the next, in the order of the particles.
+    std::array<std::vector<Real>*, 6> Kept() {
+      return {&gradient_x, &gradient_y, &wholeness, &strain, &shift_x, &shift_y};
     }
   };
 
@@ -65,6 +75,8 @@ class Delta : public ParticleSystemSPH {
   double Sound() const;
   bool HasTension() const { return !IsGas() && parameters_sph.delta.surface_tension > 0; }
   void AdvanceDensity();
+  void Shift();
+  void TieDensity();
   bool InOrder(double density) const;
   /// Of the images, from those of their sources: velocities, turned round in mirrors relative to the wall; the gradient
   /// of density, turned round, too; and what follows from the weight of the fluid between an image and its source.
@@ -88,6 +100,7 @@ class Delta : public ParticleSystemSPH {
   template <typename Real>
   WaterInput<Real> WaterOf(const Arrays<Real>& arrays) const;
 
+  LatticeSums lattice_;           // of the kernel
   std::vector<double> density_;   // [kg/m^3], of a liquid
   bool density_in_order_ = true;  // else density_ is still that of the step before
   double density_span_ = 0;       // [s], by which it was advanced last

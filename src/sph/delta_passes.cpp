@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "sph/cluster_pairs-inl.hpp"
+#include "sph/septic_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sph {
@@ -26,42 +27,74 @@ constexpr double kFallAtSurface = 0.2;
 /// Particles with more than this are away from the surface, where negative pressure must not pull them together.
 constexpr double kInside = 0.75;
 
+/// Particles closer than this, in spacings, are on the way to pair: those of an even fluid are 0.8 or more apart.
+constexpr double kTooClose = 0.7;
+/// How much stronger than the others these push each other apart.
+constexpr double kPushApart = 3;
+
+/// The least eigenvalue of the symmetric matrix.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V LeastEigenvalue(D d, V xx, V xy, V yy) {
+  const V difference = hn::Sub(xx, yy), twice_xy = hn::Add(xy, xy);
+  const V root = hn::Sqrt(hn::MulAdd(difference, difference, hn::Mul(twice_xy, twice_xy)));
+  return hn::Mul(hn::Set(d, hn::TFromD<D>(0.5)), hn::Sub(hn::Add(xx, yy), root));
+}
+
 template <typename Real, template <class> class Kernel>
-void Rates(const PassInput<Real>& input, const WaterInput<Real>& water, const ListBlock& block, Real* rate) {
+void Rates(const PassInput<Real>& input, const WaterInput<Real>& water, const ListBlock& block,
+           const DensitySums<Real>& sums) {
   const hn::ScalableTag<Real> d;
   const Pairs<Real> pairs(input);
   const Kernel<decltype(d)> kernel(d, pairs.Support());
   const double unit = Positions<Real>::Unit(input.support);
   const double slope = Kernel<decltype(d)>::SlopeFactor(input.support, unit);
   const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<Real>(value)); };
-  const auto divergence_factor = set(slope);
+  const auto matrix = set(slope * unit), divergence_factor = set(slope), zero = hn::Zero(d), one = set(1);
   const auto diffusion_factor = set(2 * water.diffusion * slope / unit);
+  const auto strain_factor = set(slope * unit / water.variance);
   const auto half_unit = set(0.5 * unit);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     const Cluster& cluster = input.clusters[k];
     const auto own = [&](const Real* values) HWY_ATTR { return hn::LoadU(d, values + cluster.first); };
     const auto vx = own(water.vx), vy = own(water.vy), excess = own(water.excess);
     const auto gx = hn::Mul(own(water.gradient_x), half_unit), gy = hn::Mul(own(water.gradient_y), half_unit);
-    auto divergence = hn::Zero(d), diffusion = hn::Zero(d);
+    auto diffusion = zero, stretch = zero;
+    auto xx = zero, xy = zero, yy = zero;                  // sum w r (x) r
+    auto ux = zero, uy = zero, shear_x = zero, shear_y = zero;  // sum w du dx, dv dy, du dy, dv dx
     pairs.ForEach(cluster, block.Of(k), [&](std::uint32_t j, auto dx, auto dy, auto r2) HWY_ATTR {
       const auto weight = hn::Mul(kernel.NegativeSlopeOverR(r2), hn::Set(d, water.volume[j]));
+      const auto wx = hn::Mul(weight, dx), wy = hn::Mul(weight, dy);
       const auto du = hn::Sub(hn::Set(d, water.vx[j]), vx);
       const auto dv = hn::Sub(hn::Set(d, water.vy[j]), vy);
-      divergence = hn::MulAdd(weight, hn::MulAdd(du, dx, hn::Mul(dv, dy)), divergence);
+      xx = hn::MulAdd(wx, dx, xx);
+      xy = hn::MulAdd(wx, dy, xy);
+      yy = hn::MulAdd(wy, dy, yy);
+      ux = hn::MulAdd(wx, du, ux);
+      uy = hn::MulAdd(wy, dv, uy);
+      shear_x = hn::MulAdd(wy, du, shear_x);
+      shear_y = hn::MulAdd(wx, dv, shear_y);
+      const auto along = hn::MulAdd(du, dx, hn::Mul(dv, dy));
+      stretch = hn::MulAdd(hn::Mul(weight, along), along, stretch);
       const auto step = hn::Sub(hn::Set(d, water.excess[j]), excess);
       const auto mean_x = hn::MulAdd(hn::Set(d, water.gradient_x[j]), half_unit, gx);
       const auto mean_y = hn::MulAdd(hn::Set(d, water.gradient_y[j]), half_unit, gy);
       const auto half_psi = hn::MulAdd(mean_x, dx, hn::MulAdd(mean_y, dy, step));
       diffusion = hn::MulAdd(weight, half_psi, diffusion);
     });
+    // -div u: the trace of the matrix of du times the inverse of that of dx, or the plain sum.
+    const auto plain = hn::Mul(hn::Add(ux, uy), divergence_factor);
+    const auto inside = hn::Gt(hn::Mul(LeastEigenvalue(d, xx, xy, yy), matrix), set(kInside));
+    const auto determinant = hn::Mul(hn::NegMulAdd(xy, xy, hn::Mul(xx, yy)), set(unit));
+    const auto adjoint = hn::NegMulAdd(xy, hn::Add(shear_x, shear_y), hn::MulAdd(ux, yy, hn::Mul(uy, xx)));
+    const auto compression = hn::IfThenElse(inside, hn::Div(adjoint, hn::IfThenElse(inside, determinant, one)), plain);
     const auto density = hn::Add(excess, set(water.rho0));
-    const auto compression = hn::Mul(hn::Mul(density, divergence), divergence_factor);
-    StoreCluster(d, hn::MulAdd(diffusion, diffusion_factor, compression), cluster, rate);
+    StoreCluster(d, hn::MulAdd(diffusion, diffusion_factor, hn::Mul(density, compression)), cluster, sums.rate);
+    StoreCluster(d, hn::Sqrt(hn::Mul(stretch, strain_factor)), cluster, sums.strain);
   }
 }
 
 /// Sums of the force pass that tell where a particle's neighbours are, and what follows from them.
-template <class D, template <class> class Kernel>
+template <class D>
 class Surroundings {
  public:
   using V = hn::Vec<D>;
@@ -77,32 +110,46 @@ class Surroundings {
         fall_x_(xx_),
         fall_y_(xx_),
         lack_x_(xx_),
-        lack_y_(xx_) {}
+        lack_y_(xx_),
+        near_x_(xx_),
+        near_y_(xx_),
+        concentration_(xx_),
+        covered_(hn::Set(d, Real(1))) {}
 
-  /// (wx, wy) = V_j (-W'/r) (dx, dy); rise, fall = differences j - i of density and wholeness; bias = 1 + 0.2
-  /// (W/W(dx))^4
-  HWY_INLINE void Add(V wx, V wy, V dx, V dy, V rise, V fall, V bias) {
-    xx_ = hn::MulAdd(wx, dx, xx_);
-    xy_ = hn::MulAdd(wx, dy, xy_);
-    yy_ = hn::MulAdd(wy, dy, yy_);
-    rise_x_ = hn::NegMulAdd(wx, rise, rise_x_);
-    rise_y_ = hn::NegMulAdd(wy, rise, rise_y_);
-    fall_x_ = hn::NegMulAdd(wx, fall, fall_x_);
-    fall_y_ = hn::NegMulAdd(wy, fall, fall_y_);
-    lack_x_ = hn::NegMulAdd(wx, bias, lack_x_);
-    lack_y_ = hn::NegMulAdd(wy, bias, lack_y_);
+  /// A neighbour j at a distance of (-dx, -dy).
+  struct Neighbour {
+    V dx, dy;
+    V wx, wy;     // V_j (-W'/r) (dx, dy)
+    V value;      // V_j W
+    V rise;       // difference j - i of density
+    V wholeness;  // of j
+    V bias;       // 1 + 0.2 (W/W(dx))^4
+    V closeness;  // 1 - (r/(0.7 dx))^2, not below 0
+  };
+  HWY_INLINE void Add(const Neighbour& j, V wholeness) {
+    xx_ = hn::MulAdd(j.wx, j.dx, xx_);
+    xy_ = hn::MulAdd(j.wx, j.dy, xy_);
+    yy_ = hn::MulAdd(j.wy, j.dy, yy_);
+    rise_x_ = hn::NegMulAdd(j.wx, j.rise, rise_x_);
+    rise_y_ = hn::NegMulAdd(j.wy, j.rise, rise_y_);
+    const V fall = hn::Sub(j.wholeness, wholeness);
+    fall_x_ = hn::NegMulAdd(j.wx, fall, fall_x_);
+    fall_y_ = hn::NegMulAdd(j.wy, fall, fall_y_);
+    lack_x_ = hn::NegMulAdd(j.wx, j.bias, lack_x_);
+    lack_y_ = hn::NegMulAdd(j.wy, j.bias, lack_y_);
+    near_x_ = hn::NegMulAdd(j.wx, j.closeness, near_x_);
+    near_y_ = hn::NegMulAdd(j.wy, j.closeness, near_y_);
+    concentration_ = hn::Add(concentration_, j.value);
+    covered_ = hn::Min(covered_, hn::IfThenElse(hn::Gt(j.value, hn::Zero(d_)), j.wholeness, covered_));
   }
 
-  /// slope = the kernel's SlopeFactor, unit = metres of a coordinate's unit
-  HWY_INLINE void Store(double slope, double unit, double support, const Cluster& cluster,
+  /// slope, value = the kernel's factors, unit = metres of a coordinate's unit
+  HWY_INLINE void Store(double slope, double value, double unit, double support, const Cluster& cluster,
                         const WaterSums<Real>& sums) const {
     const V per_metre = Set(slope);
     const V matrix = Set(slope * unit);
     const V xx = hn::Mul(xx_, matrix), xy = hn::Mul(xy_, matrix), yy = hn::Mul(yy_, matrix);
-    const V half = Set(0.5);
-    const V difference = hn::Sub(xx, yy), twice_xy = hn::Add(xy, xy);
-    const V root = hn::Sqrt(hn::MulAdd(difference, difference, hn::Mul(twice_xy, twice_xy)));
-    const V wholeness = hn::Mul(half, hn::Sub(hn::Add(xx, yy), root));
+    const V wholeness = LeastEigenvalue(d_, xx, xy, yy);
     const auto known = hn::Gt(wholeness, Set(kLeastWholeness));
     const V determinant = hn::NegMulAdd(xy, xy, hn::Mul(xx, yy));
     const V scale = hn::IfThenElseZero(known, hn::Div(per_metre, hn::IfThenElse(known, determinant, Set(1))));
@@ -116,6 +163,8 @@ class Surroundings {
     StoreCluster(d_, wholeness, cluster, sums.wholeness);
     StoreCluster(d_, gx, cluster, sums.gradient_x);
     StoreCluster(d_, gy, cluster, sums.gradient_y);
+    StoreCluster(d_, hn::Mul(concentration_, Set(value)), cluster, sums.concentration);
+    StoreCluster(d_, covered_, cluster, sums.covered);
     // The shift goes against `lack`; where wholeness grows in that direction it leads inwards.
     V sx = hn::Mul(lack_x_, per_metre), sy = hn::Mul(lack_y_, per_metre);
     const V steepness2 = hn::MulAdd(nx, nx, hn::Mul(ny, ny));
@@ -124,8 +173,9 @@ class Surroundings {
     const auto outwards = hn::And(hn::Gt(steepness2, Set(threshold * threshold)), hn::Gt(along, hn::Zero(d_)));
     const V normal_part = hn::IfThenElseZero(outwards, hn::Div(along, hn::Max(steepness2, Set(threshold * threshold))));
     const auto inside = hn::Gt(wholeness, Set(kSurface));
-    sx = hn::IfThenElseZero(inside, hn::NegMulAdd(normal_part, nx, sx));
-    sy = hn::IfThenElseZero(inside, hn::NegMulAdd(normal_part, ny, sy));
+    const V apart = Set(kPushApart * slope);
+    sx = hn::MulAdd(near_x_, apart, hn::IfThenElseZero(inside, hn::NegMulAdd(normal_part, nx, sx)));
+    sy = hn::MulAdd(near_y_, apart, hn::IfThenElseZero(inside, hn::NegMulAdd(normal_part, ny, sy)));
     StoreCluster(d_, sx, cluster, sums.shift_x);
     StoreCluster(d_, sy, cluster, sums.shift_y);
   }
@@ -135,7 +185,8 @@ class Surroundings {
 
   D d_;
   V xx_, xy_, yy_;
-  V rise_x_, rise_y_, fall_x_, fall_y_, lack_x_, lack_y_;
+  V rise_x_, rise_y_, fall_x_, fall_y_, lack_x_, lack_y_, near_x_, near_y_;
+  V concentration_, covered_;
 };
 
 /// kMaySharpen: the push has weights of its own if the input wants them; else it never has.
@@ -147,17 +198,20 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
   const Kernel<decltype(d)> kernel(d, pairs.Support());
   const double unit = Positions<Real>::Unit(input.support);
   const double slope = Kernel<decltype(d)>::SlopeFactor(input.support, unit);
+  const double value_factor = Kernel<decltype(d)>::ValueFactor(input.support, unit);
   const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<Real>(value)); };
-  const auto one = set(1);
-  const auto push_factor = set(slope), drag_factor = set(2 * water.viscosity * slope / unit);
+  const auto one = set(1), zero = hn::Zero(d);
+  const SepticLaplacianLanes<decltype(d)> laplacian(d, pairs.Support());
+  const auto push_factor = set(slope), drag_factor = set(2 * water.viscosity * laplacian.Factor(input.support));
   const auto brake_factor = set(water.artificial / (unit * kernel.Factor() * kernel.Factor()));
   const auto square_of = [](auto value) HWY_ATTR { return hn::Mul(value, value); };
   const auto at_spacing = kernel.ValueOf(kernel.At(kernel.DistanceOf(square_of(set(water.spacing / unit)))));
   const auto bias_factor = hn::Div(set(0.2), square_of(square_of(at_spacing)));
+  const double too_close = kTooClose * water.spacing / unit;
+  const auto per_close2 = set(1 / (too_close * too_close));
   const double support = pairs.Support();
-  const auto flat = set(Kernel<decltype(d)>::kFlat), fall = set(Kernel<decltype(d)>::kFall / (support * support));
   const auto least_inside = set(water.tensile_control ? kInside : std::numeric_limits<double>::infinity());
-  const auto push_flat = water.sharp_gradient ? flat : one, push_fall = water.sharp_gradient ? fall : hn::Zero(d);
+  const auto push_flat = set(water.gradient_flat), push_fall = set(water.gradient_fall / (support * support));
   const bool refine = block.coarse;
   Refinement<Real> refinement(pairs, block);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
@@ -165,16 +219,17 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
     const auto own = [&](const Real* values) HWY_ATTR { return hn::LoadU(d, values + cluster.first); };
     const auto excess = own(water.excess), wholeness = own(water.wholeness), pressure = own(water.pressure);
     const auto vx = own(water.vx), vy = own(water.vy);
-    const auto pulls = hn::And(hn::Lt(pressure, hn::Zero(d)), hn::Gt(wholeness, least_inside));
+    const auto pulls = hn::And(hn::Lt(pressure, zero), hn::Gt(wholeness, least_inside));
     const auto own_pressure = hn::IfThenElse(pulls, hn::Neg(pressure), pressure);
-    auto push_x = hn::Zero(d), push_y = hn::Zero(d), drag_x = hn::Zero(d), drag_y = hn::Zero(d);
-    Surroundings<decltype(d), Kernel> around(d);
+    auto push_x = zero, push_y = zero, drag_x = zero, drag_y = zero;
+    Surroundings<decltype(d)> around(d);
     const auto list = refine ? refinement.Of(k) : block.Of(k);
     pairs.ForEach(cluster, list, [&](std::uint32_t j, auto dx, auto dy, auto r2) HWY_ATTR {
       if (refine) refinement.Look(j, r2);
       const auto distance = kernel.DistanceOf(r2);
       const auto place = kernel.At(distance);
-      const auto weight = hn::Mul(kernel.SlopeOf(place), hn::Set(d, water.volume[j]));
+      const auto volume = hn::Set(d, water.volume[j]);
+      const auto weight = hn::Mul(kernel.SlopeOf(place), volume);
       const auto wx = hn::Mul(weight, dx), wy = hn::Mul(weight, dy);
       auto push = hn::Add(own_pressure, hn::Set(d, water.pressure[j]));
       if constexpr (kMaySharpen) push = hn::Mul(push, hn::NegMulAdd(r2, push_fall, push_flat));
@@ -182,9 +237,9 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
         const auto du = hn::Sub(hn::Set(d, water.vx[j]), vx);
         const auto dv = hn::Sub(hn::Set(d, water.vy[j]), vy);
         if constexpr (kViscous) {
-          const auto sharp = hn::Mul(weight, hn::NegMulAdd(r2, fall, flat));
-          drag_x = hn::MulAdd(sharp, du, drag_x);
-          drag_y = hn::MulAdd(sharp, dv, drag_y);
+          const auto drag = hn::Mul(laplacian.Of(r2), volume);
+          drag_x = hn::MulAdd(drag, du, drag_x);
+          drag_y = hn::MulAdd(drag, dv, drag_y);
         }
         if constexpr (kArtificial) {
           const auto along = hn::MulAdd(du, dx, hn::Mul(dv, dy)), per_length = distance.Inverse();
@@ -193,9 +248,17 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
       }
       push_x = hn::MulAdd(wx, push, push_x);
       push_y = hn::MulAdd(wy, push, push_y);
-      const auto bias = hn::MulAdd(square_of(square_of(kernel.ValueOf(place))), bias_factor, one);
-      around.Add(wx, wy, dx, dy, hn::Sub(hn::Set(d, water.excess[j]), excess),
-                 hn::Sub(hn::Set(d, water.wholeness[j]), wholeness), bias);
+      const auto value = kernel.ValueOf(place);
+      around.Add({.dx = dx,
+                  .dy = dy,
+                  .wx = wx,
+                  .wy = wy,
+                  .value = hn::Mul(value, volume),
+                  .rise = hn::Sub(hn::Set(d, water.excess[j]), excess),
+                  .wholeness = hn::Set(d, water.wholeness[j]),
+                  .bias = hn::MulAdd(square_of(square_of(value)), bias_factor, one),
+                  .closeness = hn::Max(hn::NegMulAdd(r2, per_close2, one), zero)},
+                 wholeness);
     });
     const auto per_density = hn::Div(one, hn::Add(excess, set(water.rho0)));
     const auto total = [&](auto push, [[maybe_unused]] auto drag) HWY_ATTR {
@@ -205,7 +268,7 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
     };
     AddLanes(d, total(push_x, drag_x), cluster, ax);
     AddLanes(d, total(push_y, drag_y), cluster, ay);
-    around.Store(slope, unit, input.support, cluster, sums);
+    around.Store(slope, value_factor, unit, input.support, cluster, sums);
     if (refine) refinement.Close(k);
   }
   block.coarse = false;
@@ -216,7 +279,7 @@ template <typename Real, template <class> class Kernel>
 void ForcesWith(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax, double* ay,
                 const WaterSums<Real>& sums) {
   const bool viscous = water.viscosity != 0, artificial = water.artificial != 0;
-  if (!water.sharp_gradient && !viscous) {
+  if (water.gradient_fall == 0 && !viscous) {
     if (artificial) return Forces<Real, Kernel, false, false, true>(input, water, block, ax, ay, sums);
     return Forces<Real, Kernel, false, false, false>(input, water, block, ax, ay, sums);
   }
@@ -235,8 +298,8 @@ void ForcesWith(const PassInput<Real>& input, const WaterInput<Real>& water, Lis
     SPH_WITH_KERNEL(kernel, Real, PressureOf, input, block, term, ax, ay)                                           \
   }                                                                                                                 \
   void DensityRates##Name(const PassInput<Real>& input, const WaterInput<Real>& water, const ListBlock& block,      \
-                          Real* rate) {                                                                             \
-    SPH_WITH_KERNEL(water.kernel, Real, Rates, input, water, block, rate)                                           \
+                          const DensitySums<Real>& sums) {                                                          \
+    SPH_WITH_KERNEL(water.kernel, Real, Rates, input, water, block, sums)                                           \
   }                                                                                                                 \
   void WaterForces##Name(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax, \
                          double* ay, const WaterSums<Real>& sums) {                                                 \
@@ -270,8 +333,8 @@ namespace sph {
   }                                                                                                                    \
   template <>                                                                                                          \
   void ComputeDensityRates<Real>(const PassInput<Real>& input, const WaterInput<Real>& water, const ListBlock& block,  \
-                                 Real* rate) {                                                                         \
-    HWY_DYNAMIC_DISPATCH(DensityRates##Name)(input, water, block, rate);                                               \
+                                 const DensitySums<Real>& sums) {                                                      \
+    HWY_DYNAMIC_DISPATCH(DensityRates##Name)(input, water, block, sums);                                               \
   }                                                                                                                    \
   template <>                                                                                                          \
   void AddWaterForces<Real>(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax, \

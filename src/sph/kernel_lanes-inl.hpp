@@ -133,9 +133,6 @@ class WendlandC2Lanes {
   using V = hn::Vec<D>;
   using T = hn::TFromD<D>;
 
-  // -W'/r (kFlat - kFall s^2) has no fourth moment and the second of -W'/r: a Laplacian of fourth order.
-  static constexpr double kFlat = 3.669902912621359;
-  static constexpr double kFall = 9.611650485436893;
   static double ValueFactor(double support, double) { return 7 / (std::numbers::pi * support * support); }
   static double SlopeFactor(double support, double unit) {
     return 20 * ValueFactor(support, unit) * unit / (support * support);
@@ -170,8 +167,6 @@ class WendlandC4Lanes {
   using V = hn::Vec<D>;
   using T = hn::TFromD<D>;
 
-  static constexpr double kFlat = 3.507874015748029;
-  static constexpr double kFall = 11.82283464566928;
   static double ValueFactor(double support, double) { return 3 / (std::numbers::pi * support * support); }
   static double SlopeFactor(double support, double unit) {
     return 56 * ValueFactor(support, unit) * unit / (support * support);
@@ -210,8 +205,6 @@ class QuinticSplineLanes {
   using V = hn::Vec<D>;
   using T = hn::TFromD<D>;
 
-  static constexpr double kFlat = 3.502469008548194;
-  static constexpr double kFall = 11.655310366049438;
   static double ValueFactor(double support, double) { return 63 / (478 * std::numbers::pi * support * support); }
   static double SlopeFactor(double support, double unit) {
     return 45 * ValueFactor(support, unit) * unit / (support * support);

@@ -129,6 +129,35 @@ class QuinticSpline {
   double c_;
 };
 
+/// Septic spline in the plane, the radial form of I. J. Schoenberg's B-spline M_8 [D. J. Price, J. Comput. Phys. 231
+/// (2012) 759, section 2.6]: W = C ((4-q)^7 - 8 (3-q)^7 + 28 (2-q)^7 - 56 (1-q)^7) for q < 4, each power only where its
+/// base is positive. With h as long as the spacing its knots are where a lattice's rows are: sums over square and
+/// hexagonal lattices are those over the plane to four digits.
+class SepticSpline {
+ public:
+  static constexpr double kSupport = 4;
+  static constexpr double kNormalisation = 9 / (29740 * std::numbers::pi);  ///< C h^2
+  /// W'/r (kFlat - kFall s^2), s = r/(4h), has the second moment of W'/r and no fourth one: with it a Laplacian is of
+  /// fourth order.
+  static constexpr double kFlat = 3.35422826150985;
+  static constexpr double kFall = 14.491633944494291;
+
+  explicit SepticSpline(double h) : per_h_(1 / h), c_(kNormalisation / (h * h)) { SPH_CHECK(h > 0, "h = {}", h); }
+
+  double Value(double r) const { return c_ * Sum(r * per_h_, 7); }
+  /// W'(r)/r [1/m^4] of r > 0; it has no value at 0.
+  double Gradient(double r) const { return -7 * c_ * per_h_ * Sum(r * per_h_, 6) / r; }
+
+ private:
+  static double Sum(double q, int exponent) {
+    const auto power = [&](double end) { return q < end ? std::pow(end - q, exponent) : 0; };
+    return power(4) - 8 * power(3) + 28 * power(2) - 56 * power(1);
+  }
+
+  double per_h_;
+  double c_;
+};
+
 /// Poly6 in the plane [Mueller, Charypar & Gross 2003, eq. 20, with the plane's constant]: W = 4/(pi h^8) (h^2 - r^2)^3
 /// for r < h. Here h is the support radius.
 class Poly6 {

@@ -34,7 +34,7 @@ struct DeltaParameters {
   double sound_damping = 0;     ///< alpha of a bulk viscosity alpha h c rho0, in a liquid
   double surface_tension = 0;   ///< sigma [N], of a liquid
   bool shifting = true;         ///< of the particles of a liquid
-  bool tensile_control = true;  ///< particles of a liquid do not pull at each other; this costs conservation
+  bool tensile_control = false;  ///< particles of a liquid do not pull at each other; this costs conservation
   /// Of pressure in a liquid, to fourth order where particles fill the support. It is not the divergence's adjoint, so
   /// that at a free surface energy is not kept.
   bool sharp_gradient = false;
