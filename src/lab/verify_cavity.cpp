@@ -1,7 +1,6 @@
 // The flow in a square cavity that a sliding lid drives, against the profiles of Ghia, Ghia & Shin, J. Comput. Phys. 48
 // (1982) 387.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "lab/fill_gauges.hpp"
@@ -37,8 +36,8 @@ std::vector<Vec2> Profile(const std::string& name) {
 /// The steady flow is there long before: the slowest mode of the square decays as exp(-52.3 nu t/L^2) [E. Leriche &
 /// G. Labrosse, J. Comput. Phys. 200 (2004) 489], by exp(-13) until 25.
 std::vector<double> TimesOfCavity(const ParticleSystemSPH&) {
-  std::vector<double> times;
-  for (int look = 0; look < kLooks; ++look) times.push_back(25 + 0.5 * look);
+  std::vector<double> times(kLooks);
+  for (int look = 0; look < kLooks; ++look) times[look] = 25 + 0.5 * look;
   return times;
 }
 

@@ -57,7 +57,7 @@ TEST(Verification, ARunThatBreaksDownHoldsNothing) {
 TEST(Verification, SlowEveryCaseSaysOfEveryMetricByWhatRuleItIsJudged) {
   for (const VerificationCase& of : AllVerificationCases()) {
     SCOPED_TRACE(of.name);
-    const auto system = MakeSystem(ToyScene(of, of.name.starts_with("poiseuille") ? 216 : 600));
+    const auto system = MakeSystem(ToyScene(of, of.name.starts_with("poiseuille") ? 384 : 600));
     for (const Verdict& verdict : of.measure(*system)) {
       SCOPED_TRACE(verdict.metric);
       EXPECT_LE(verdict.metric.size(), 58u) << "as wide as the table's column";
