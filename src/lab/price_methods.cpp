@@ -35,7 +35,8 @@ SceneRequest ForAnother(const SceneRequest& request, const std::string& solver, 
 
 std::string WhyNot(const Scene& own, const Solver& solver) {
   if (own.sph.viscosity > 0 && !solver.viscous) return "it has no viscosity";
-  if (own.base.wall.no_slip && !solver.mirrors) return "fluid does not stick to its walls";
+  const auto sticks = [&](const Wall& wall) { return Sticks(wall, own.base.wall); };
+  if (std::ranges::any_of(own.base.walls, sticks) && !solver.mirrors) return "fluid does not stick to its walls";
   if (own.base.wall.layer_viscosity > 0 && !solver.mirrors) return "its walls have no friction";
   return {};
 }

@@ -107,7 +107,7 @@ std::span<const VerificationCase> AllVerificationCases() {
       Case{"couette-relaxed", "the same, from random but even places", true,
            Named("couette", {"fluid.arrange=relaxed"}), &MeasureDisorderedCouette, nullptr, false, nullptr, viscous},
       Case{"couette-back", "the same, the plate sliding the other way", true,
-           Named("couette", {"fluid.arrange=relaxed", "wall.floor.slide=-1"}), &MeasureDisorderedCouette, nullptr,
+           Named("couette", {"fluid.arrange=relaxed", "wall.floor.tangential_velocity=-1"}), &MeasureDisorderedCouette, nullptr,
            false, nullptr, viscous},
       Case{"water-column", "front of a breaking column a x 2a, 10 000 particles", false, Named("water-column"),
            &MeasureWaterColumn, &kWaterColumn},

@@ -25,7 +25,7 @@ double WorstError(ParticleSystemSPH& system) {
   const Box box = system.parameters.fluid.region.box;
   const double width = box.Height();
   const double nu = system.parameters_sph.viscosity / ReferenceDensity(system.parameters_sph.equation_of_state);
-  const double plate = FindWall(system.parameters.walls, "floor")->slide;
+  const double plate = FindWall(system.parameters.walls, "floor")->tangential.mean;
   // [s], in which the profile approaches the steady one.
   const double slowest = width * width / (std::numbers::pi * std::numbers::pi * nu);
   double worst = 0;

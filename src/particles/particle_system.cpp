@@ -311,6 +311,19 @@ double ParticleSystem::LongestMove() const { return std::numeric_limits<double>:
 
 int ParticleSystem::ThreadCount() const { return parameters.threads > 0 ? parameters.threads : omp_get_num_procs(); }
 
+namespace {
+
+std::string AboutWalls(const Parameters& p) {
+  const auto sticking = std::ranges::count_if(p.walls, [&](const Wall& wall) { return Sticks(wall, p.wall); });
+  const std::string sticks = sticking > 0 ? fmt::format("; the fluid sticks to {} of them", sticking) : "";
+  if (p.wall.kind == WallKind::kParticles) {
+    return fmt::format("particles behind {} walls, in both passes{}", p.walls.size(), sticks);
+  }
+  return fmt::format("{} walls, particles behind one of them only{}", p.walls.size(), sticks);
+}
+
+}  // namespace
+
 std::vector<PassPlan> ParticleSystem::Plan() const {
   const Parameters& p = parameters;
   const bool forces = p.gravity != Vec2{} || p.central_force != 0;
@@ -321,7 +334,7 @@ std::vector<PassPlan> ParticleSystem::Plan() const {
        p.motion_damping == 0                     ? "damping is 0"
        : p.integration == Integration::kLeapFrog ? "inside the leapfrog step"
                                                  : "added to the acceleration"},
-      {"walls", walls, walls ? fmt::format("{} walls, particles behind one of them only", p.walls.size()) : "no walls"},
+      {"walls", walls, walls ? AboutWalls(p) : "no walls"},
       {"integrate", true, "positions and velocities"},
   };
 }

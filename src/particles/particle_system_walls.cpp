@@ -97,7 +97,10 @@ void ParticleSystem::ReflectFromWalls() {
   const PhaseTimer timer(phases_, "walls");
   Particles& p = particles_;
   const double restitution = parameters.wall.kind == WallKind::kReflect ? parameters.wall.restitution : 0.0;
-  for (const Wall& wall : parameters.walls) {
+  const BoundingWalls bounding(parameters.walls);  // who is behind another one is behind these, and reflected once
+  for (const Wall* bounds : bounding.All()) {
+    if (bounds == nullptr) continue;
+    const Wall& wall = *bounds;
     auto& position = wall.Vertical() ? p.x : p.y;
     auto& velocity = wall.Vertical() ? p.vx : p.vy;
     auto& previous = wall.Vertical() ? p.vx_prev : p.vy_prev;

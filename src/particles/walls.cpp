@@ -3,8 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <tuple>
 
 namespace sph {
+
+double TangentialVelocity::At(double time) const {
+  return mean + amplitude * std::sin(2 * std::numbers::pi * frequency * time + phase);
+}
 
 Vec2 Wall::Normal() const {
   switch (fluid) {
@@ -24,6 +30,10 @@ double Wall::Depth(Vec2 point) const {
   const double coordinate = Vertical() ? point.x : point.y;
   const bool fluid_at_larger = fluid == FluidSide::kRight || fluid == FluidSide::kAbove;
   return fluid_at_larger ? at - coordinate : coordinate - at;
+}
+
+bool Sticks(const Wall& wall, const WallParameters& parameters) {
+  return parameters.SeenByFluid() && wall.no_slip.value_or(parameters.no_slip);
 }
 
 Penetration PenetrationAfter(const WallParameters& wall, double speed, double seconds) {
@@ -51,27 +61,29 @@ void MoveWalls(std::span<Wall> walls, double dt) {
   }
 }
 
-Box LegalRegion(std::span<const Wall> walls, double seconds_ago) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Box legal{-kFar, -kFar, kFar, kFar};
+BoundingWalls::BoundingWalls(std::span<const Wall> walls, double seconds_ago) {
+  const auto place = [seconds_ago](const Wall& wall) {
+    const double into_fluid = wall.Normal().x + wall.Normal().y;
+    return std::tuple{into_fluid * (wall.at - seconds_ago * wall.velocity), into_fluid * wall.velocity};
+  };
   for (const Wall& wall : walls) {
-    const double at = wall.at - seconds_ago * wall.velocity;
-    switch (wall.fluid) {
-      case FluidSide::kLeft:
-        legal.x1 = std::min(legal.x1, at);
-        break;
-      case FluidSide::kRight:
-        legal.x0 = std::max(legal.x0, at);
-        break;
-      case FluidSide::kBelow:
-        legal.y1 = std::min(legal.y1, at);
-        break;
-      case FluidSide::kAbove:
-        legal.y0 = std::max(legal.y0, at);
-        break;
+    const Wall*& bounds = all_[static_cast<std::size_t>(wall.fluid)];
+    if (bounds == nullptr || place(wall) > place(*bounds) ||
+        (place(wall) == place(*bounds) && wall.name < bounds->name)) {
+      bounds = &wall;
     }
   }
-  return legal;
+}
+
+Box LegalRegion(std::span<const Wall> walls, double seconds_ago) {
+  const BoundingWalls bounding(walls, seconds_ago);
+  const auto at = [&](FluidSide fluid, double far) {
+    const Wall* wall = bounding.Of(fluid);
+    return wall == nullptr ? far : wall->at - seconds_ago * wall->velocity;
+  };
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  return {at(FluidSide::kRight, -kFar), at(FluidSide::kAbove, -kFar), at(FluidSide::kLeft, kFar),
+          at(FluidSide::kBelow, kFar)};
 }
 
 Wall* FindWall(std::span<Wall> walls, std::string_view name) {

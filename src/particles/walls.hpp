@@ -1,6 +1,7 @@
 // Rigid plane walls (paper, IV-D): where they are, how deep a particle is inside one, how they move.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +15,17 @@ namespace sph {
 /// On which side of a wall the fluid is.
 enum class FluidSide { kLeft, kRight, kBelow, kAbove };
 
+/// v(t) = mean + amplitude sin(2 pi frequency t + phase).
+struct TangentialVelocity {
+  double mean = 0;       ///< [m/s], to the right or upwards
+  double amplitude = 0;  ///< [m/s]
+  double frequency = 0;  ///< [Hz]
+  double phase = 0;      ///< [rad]
+
+  double At(double time) const;
+  bool Any() const { return mean != 0 || amplitude != 0; }
+};
+
 /// The half-plane behind a vertical or horizontal line. It moves with `velocity` until it reaches an end of its range.
 struct Wall {
   std::string name;
@@ -22,7 +34,8 @@ struct Wall {
   double velocity = 0;  ///< d(at)/dt [m/s]
   double lowest = 0;    ///< range of `at` [m]; a wall that cannot be moved has lowest = highest = at
   double highest = 0;
-  double slide = 0;  ///< velocity along itself, to the right or upwards [m/s], of a wall to which the fluid sticks
+  TangentialVelocity tangential = {};  ///< along itself, of a wall to which the fluid sticks
+  std::optional<bool> no_slip = {};    ///< unless it is as WallParameters say
 
   bool Vertical() const { return fluid == FluidSide::kLeft || fluid == FluidSide::kRight; }
   /// Unit vector from the wall into the fluid.
@@ -46,7 +59,7 @@ struct WallParameters {
   double stiffness = 0;    ///< K [1/s^2]: a = K depth, along the normal
   double damping = 0;      ///< [1/s]: a -= damping (v - v_wall)
   double restitution = 0;  ///< speed after a reflection over the speed before
-  bool no_slip = false;    ///< of walls that the fluid sees: tangential velocities are turned round, too
+  bool no_slip = false;    ///< of walls that the fluid sees and that do not say: it sticks to them
   /// Of such walls along which the fluid slips: the kinematic viscosity [m^2/s] of the turbulent boundary layer that
   /// brakes it, too thin to be seen by the particles; 0: there is none.
   double layer_viscosity = 0;
@@ -54,6 +67,9 @@ struct WallParameters {
   /// Whether there is something behind the wall for the passes over neighbours.
   bool SeenByFluid() const { return kind == WallKind::kMirror || kind == WallKind::kParticles; }
 };
+
+/// Whether the fluid sticks to the wall.
+bool Sticks(const Wall& wall, const WallParameters& parameters);
 
 /// Depth [m] and speed into the wall [m/s] of a particle relative to it.
 struct Penetration {
@@ -67,6 +83,21 @@ Penetration PenetrationAfter(const WallParameters& wall, double speed, double se
 
 /// Moves every wall by its velocity times dt; one that reaches an end of its range stops there.
 void MoveWalls(std::span<Wall> walls, double dt);
+
+/// Of each side of the fluid the wall that bounds it; nullptr where none does.
+class BoundingWalls {
+ public:
+  /// As the walls are, or were so long ago [s]. Of two in one place the one that comes faster towards the fluid bounds
+  /// it, and then the first by name: their order does not matter.
+  explicit BoundingWalls(std::span<const Wall> walls, double seconds_ago = 0);
+
+  const Wall* Of(FluidSide fluid) const { return all_[static_cast<std::size_t>(fluid)]; }
+  /// In the order of FluidSide.
+  std::array<const Wall*, 4> All() const { return all_; }
+
+ private:
+  std::array<const Wall*, 4> all_{};
+};
 
 /// The part of the plane that no wall covers, or covered so long ago [s]; infinite where there is no wall.
 Box LegalRegion(std::span<const Wall> walls, double seconds_ago = 0);

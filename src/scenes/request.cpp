@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "scenes/build.hpp"
 #include "scenes/catalogue.hpp"
 #include "scenes/scene_checks.hpp"
@@ -20,6 +22,7 @@ Scene LoadScene(const SceneRequest& request) {
   }
   if (request.seed) scene.base.seed = *request.seed;
   scene.base.threads = request.threads;
+  for (const std::string& warning : scene.warnings) fmt::print(stderr, "sphlab: {}\n", warning);
   return scene;
 }
 

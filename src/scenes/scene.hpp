@@ -55,7 +55,8 @@ struct Settling {
 inline constexpr std::size_t kMostParticles = 100'000'000;
 
 struct Scene {
-  std::string name;  ///< the file's name without its ending
+  std::string name;                   ///< the file's name without its ending
+  std::vector<std::string> warnings;  ///< of names that are old, each with its place
   std::string title;
   std::string about;  ///< a few lines for people
   std::string solver = "paper";

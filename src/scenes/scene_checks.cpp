@@ -1,5 +1,6 @@
 #include "scenes/scene_checks.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -66,17 +67,27 @@ void CheckSettling(const Scene& scene, const std::string& source) {
 
 /// What only some walls have is refused of others.
 void CheckSlip(const Scene& scene, const std::string& source) {
-  const WallParameters& kind = scene.base.wall;
-  if (kind.layer_viscosity > 0 && !(kind.SeenByFluid() && !kind.no_slip)) {
-    throw UsageError("{}: walls.layer_viscosity takes walls.kind = 'mirror' or 'particles' and walls.slip = 'free'",
-                     source);
-  }
-  if (kind.SeenByFluid() && kind.no_slip) return;
-  for (const Wall& wall : scene.base.walls) {
-    if (wall.slide == 0) continue;
+  const WallParameters& all = scene.base.wall;
+  const std::vector<Wall>& walls = scene.base.walls;
+  const auto sticks = [&](const Wall& wall) { return Sticks(wall, all); };
+  if (all.layer_viscosity > 0 && (!all.SeenByFluid() || (!walls.empty() && std::ranges::all_of(walls, sticks)))) {
     throw UsageError(
-        "{}: wall '{}' has slide = {} m/s, which takes walls.kind = 'mirror' or 'particles' and walls.slip = 'none'",
-        source, wall.name, wall.slide);
+        "{}: walls.layer_viscosity takes walls.kind = 'mirror' or 'particles' and a wall with slip = 'free-slip'",
+        source);
+  }
+  if (all.no_slip && !all.SeenByFluid()) {
+    throw UsageError("{}: walls.slip = 'no-slip' takes walls.kind = 'mirror' or 'particles'", source);
+  }
+  for (const Wall& wall : walls) {
+    if (wall.no_slip.value_or(false) && !all.SeenByFluid()) {
+      throw UsageError("{}: wall '{}' has slip = 'no-slip', which takes walls.kind = 'mirror' or 'particles'", source,
+                       wall.name);
+    }
+    if (!wall.tangential.Any() || sticks(wall)) continue;
+    throw UsageError(
+        "{}: wall '{}' has a tangential_velocity, which takes walls.kind = 'mirror' or 'particles' and slip = "
+        "'no-slip'",
+        source, wall.name);
   }
 }
 

@@ -33,10 +33,16 @@ std::string ReadText(const std::filesystem::path& path) {
   return text.str();
 }
 
+/// But for old names.
 template <typename Key>
 std::vector<std::string> Names(std::span<const Key> keys) {
   std::vector<std::string> names;
-  for (const Key& key : keys) names.push_back(key.name);
+  for (const Key& key : keys) {
+    if constexpr (requires { key.now; }) {
+      if (!key.now.empty()) continue;
+    }
+    names.push_back(key.name);
+  }
   return names;
 }
 
@@ -134,10 +140,10 @@ class SceneReader {
   /// Calls read(key, value) for the entries of one table of an array of tables, in the order of `keys`.
   template <typename Key, typename Read>
   void ReadEntries(const toml::table& table, const std::string& prefix, std::span<const Key> keys, Read read) const {
-    const auto names = Names(keys);
     for (const auto& [name, node] : table) {
-      if (std::find(names.begin(), names.end(), name.str()) == names.end()) {
-        throw UsageError("{}: unknown key '{}.{}'.{}", Place(node), prefix, name.str(), DidYouMean(name.str(), names));
+      if (std::ranges::find(keys, name.str(), &Key::name) == keys.end()) {
+        throw UsageError("{}: unknown key '{}.{}'.{}", Place(node), prefix, name.str(),
+                         DidYouMean(name.str(), Names(keys)));
       }
     }
     for (const Key& key : keys) {
@@ -157,6 +163,15 @@ class SceneReader {
     return *array;
   }
 
+  /// UsageError if a wall has a key by its old and its new name.
+  void CheckOldNames(const toml::table& wall) const {
+    for (const WallKey& key : AllWallKeys()) {
+      if (key.now.empty() || !wall.contains(key.name) || !wall.contains(key.now)) continue;
+      throw UsageError("{}: wall.{} is the old name of wall.{}, which is there, too", Place(*wall.get(key.name)),
+                       key.name, key.now);
+    }
+  }
+
   void ReadWalls(const toml::node& node) {
     if (const auto* by_name = node.as_table(); by_name != nullptr && source_.starts_with("--")) {
       SetWalls(*by_name);
@@ -164,6 +179,7 @@ class SceneReader {
     }
     for (const toml::node& element : Tables(node, "wall")) {
       Wall wall;
+      CheckOldNames(*element.as_table());
       ReadEntries(*element.as_table(), "wall", AllWallKeys(),
                   [&](const WallKey& key, const Value& value) { key.apply(scene_, wall, value); });
       if (FindWall(scene_.base.walls, wall.name) != nullptr) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "base/nearest_name.hpp"
 #include "sph/solvers.hpp"
 
 namespace sph {
@@ -12,7 +13,7 @@ namespace {
 const std::vector<std::string> kArrangements = {"random", "lattice", "jittered", "perturbed", "hexagonal", "relaxed"};
 const std::vector<std::string> kIntegrations = {"leapfrog", "leapfrog-published", "symplectic-euler"};
 const std::vector<std::string> kWallKinds = {"penalty", "mirror", "reflect", "particles"};
-const std::vector<std::string> kSlips = {"free", "none"};
+const std::vector<std::string> kSlips = {"free-slip", "no-slip"};
 const std::vector<std::string> kWallScalings = {"derived", "published"};
 const std::vector<std::string> kReferences = {"none", "static-star"};
 const std::vector<std::string> kSteps = {"fixed", "adaptive"};
@@ -52,6 +53,19 @@ Equation& As(Scene& scene) {
 StarForce& Star(Scene& scene) {
   if (!scene.star) scene.star.emplace();
   return *scene.star;
+}
+
+void WarnOfOldName(Scene& scene, const Value& value, const std::string& old, const std::string& now) {
+  scene.warnings.push_back(fmt::format("{}: {} is the old name of {}", value.Place(), old, now));
+}
+
+bool ReadNoSlip(Scene& scene, const Value& value) {
+  const std::vector<std::string> old_names = {"free", "none"};
+  const auto old = std::ranges::find(old_names, value.AsText());
+  if (old == old_names.end()) return value.AsChoice(kSlips) == 1;
+  const auto k = static_cast<std::size_t>(old - old_names.begin());
+  WarnOfOldName(scene, value, fmt::format("{} = '{}'", value.Key(), *old), fmt::format("'{}'", kSlips[k]));
+  return k == 1;
 }
 
 std::vector<std::string> SolverNames() {
@@ -211,8 +225,8 @@ std::span<const SceneKey> AllSceneKeys() {
        Number(not_negative, [](S& s) -> double& { return s.base.wall.damping; })},
       {"walls.restitution", "speed after a reflection over speed before", kAny, false,
        Number({0, 1}, [](S& s) -> double& { return s.base.wall.restitution; })},
-      {"walls.slip", "of the fluid along walls of kind mirror or particles", kStart, false,
-       [](S& s, const V& v) { s.base.wall.no_slip = v.AsChoice(kSlips) == 1; }},
+      {"walls.slip", "of the fluid along walls of kind mirror or particles that do not say", kStart, false,
+       [](S& s, const V& v) { s.base.wall.no_slip = ReadNoSlip(s, v); }},
       {"walls.layer_viscosity", "kinematic, of a turbulent boundary layer along walls with slip [m^2/s]; 0: none", kStart, false,
        Number(not_negative, [](S& s) -> double& { return s.base.wall.layer_viscosity; })},
       {"walls.scaling", "how stiffness and damping follow --particles", kStart, false,
@@ -235,6 +249,37 @@ const SceneKey* FindSceneKey(std::string_view name) {
   return found == keys.end() ? nullptr : &*found;
 }
 
+namespace {
+
+/// A number, or { mean, amplitude, frequency, phase }.
+TangentialVelocity ReadTangentialVelocity(const Value& value) {
+  if (value.Node().is_number()) return {value.AsNumber(Accepted::Any())};
+  const toml::table* table = value.Node().as_table();
+  if (table == nullptr) {
+    throw UsageError("{}: {} takes a number [m/s] or {{ mean, amplitude, frequency, phase }}", value.Place(),
+                     value.Key());
+  }
+  const std::vector<std::string> names = {"mean", "amplitude", "frequency", "phase"};
+  for (const auto& [name, node] : *table) {
+    if (std::ranges::find(names, name.str()) != names.end()) continue;
+    throw UsageError("{}: unknown key '{}.{}'.{}", value.Inner(node, "").Place(), value.Key(), name.str(),
+                     DidYouMean(name.str(), names));
+  }
+  if (table->contains("amplitude") != table->contains("frequency") ||
+      (table->contains("phase") && !table->contains("amplitude"))) {
+    throw UsageError("{}: {} takes amplitude [m/s] and frequency [Hz] together, and phase [rad] only with them",
+                     value.Place(), value.Key());
+  }
+  const auto entry = [&](const std::string& name, const Accepted& accepted) {
+    const toml::node* node = table->get(name);
+    return node == nullptr ? 0 : value.Inner(*node, name).AsNumber(accepted);
+  };
+  return {entry("mean", Accepted::Any()), entry("amplitude", Accepted::Any()), entry("frequency", Accepted::Positive()),
+          entry("phase", Accepted::Any())};
+}
+
+}  // namespace
+
 std::span<const WallKey> AllWallKeys() {
   static const std::vector<WallKey> keys = {
       {"name", "a name for `move_wall` and `arrows.wall`", true,
@@ -256,8 +301,16 @@ std::span<const WallKey> AllWallKeys() {
          w.lowest = range.x;
          w.highest = range.y;
        }},
-      {"slide", "velocity along itself, to the right or upwards [m/s], of a wall to which the fluid sticks", false,
-       [](Scene&, Wall& w, const Value& v) { w.slide = v.AsNumber(Accepted::Any()); }},
+      {"slip", "of the fluid along it; default: walls.slip", false,
+       [](Scene& s, Wall& w, const Value& v) { w.no_slip = ReadNoSlip(s, v); }},
+      {"tangential_velocity", "along itself, to the right or upwards, of a wall to which the fluid sticks [m/s]", false,
+       [](Scene&, Wall& w, const Value& v) { w.tangential = ReadTangentialVelocity(v); }},
+      {"slide", "old name of tangential_velocity", false,
+       [](Scene& s, Wall& w, const Value& v) {
+         WarnOfOldName(s, v, v.Key(), v.Key().substr(0, v.Key().rfind('.') + 1) + "tangential_velocity");
+         w.tangential = {v.AsNumber(Accepted::Any())};
+       },
+       "tangential_velocity"},
   };
   return keys;
 }

@@ -36,6 +36,7 @@ struct WallKey {
   std::string what;
   bool required = false;
   std::function<void(Scene&, Wall&, const Value&)> apply;
+  std::string now = {};  ///< the key that took the place of this one, which is read for a while
 };
 std::span<const WallKey> AllWallKeys();
 

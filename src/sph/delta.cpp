@@ -155,11 +155,12 @@ void Delta::AdvanceDensity() {
           }
         });
         SetPositions(mid_x_, mid_y_, EndsBefore(0.5 * dt));
+        const SideVelocities sides = SideVelocities::ForDensity(parameters.walls, 0.5 * dt);
         CopyToImages(arrays.volume);
-        CopyVelocitiesToImages(arrays);
+        CopyVelocitiesToImages(arrays, sides);
         CopyGradientToImages(arrays);
         CopyPressureToImages(arrays);
-        SetWallParticles(fluid, arrays);
+        SetWallParticles(fluid, arrays, sides);
         ForEachBlock([&](const ListBlock& block) {
           ComputeDensityRates(InputOf(fluid), WaterOf(arrays), block, arrays.rate.data());
           const auto [first, last] = ParticlesOf(block);
@@ -240,9 +241,10 @@ void Delta::ComputeWaterForces() {
         });
         CopyToImages(arrays.volume);
         CopyToImages(arrays.wholeness);
-        CopyVelocitiesToImages(arrays);
+        const SideVelocities sides = SideVelocities::ForForces(parameters.walls, parameters.wall, Time());
+        CopyVelocitiesToImages(arrays, sides);
         CopyPressureToImages(arrays);
-        SetWallParticles(fluid, arrays);
+        SetWallParticles(fluid, arrays, sides);
         const WaterSums<Real> sums{arrays.gradient_x.data(), arrays.gradient_y.data(), arrays.next_wholeness.data(),
                                    arrays.shift_x.data(), arrays.shift_y.data()};
         ForEachBlock([&](ListBlock& block) {
@@ -283,15 +285,16 @@ void Delta::AddTension() {
 /// Werner and H. Wengle, Turbulent Shear Flows 8 (1993) 155, the 1/7 power law].
 void Delta::AddWallFriction(std::size_t first, std::size_t last) {
   const double nu = parameters.wall.layer_viscosity;
-  if (nu == 0 || !parameters.wall.SeenByFluid() || parameters.wall.no_slip) return;
+  if (nu == 0 || !parameters.wall.SeenByFluid()) return;
   Particles& p = particles_;
   const double spacing = InitialSpacing();
   const double layer = std::pow(2 * nu / spacing, 0.25) / spacing;
-  for (const Wall& wall : parameters.walls) {
-    const auto& velocity = wall.Vertical() ? p.vy : p.vx;
-    auto& acceleration = wall.Vertical() ? p.ay : p.ax;
+  for (const Wall* wall : BoundingWalls(parameters.walls).All()) {
+    if (wall == nullptr || Sticks(*wall, parameters.wall)) continue;
+    const auto& velocity = wall->Vertical() ? p.vy : p.vx;
+    auto& acceleration = wall->Vertical() ? p.ay : p.ax;
     for (std::size_t i = first; i < last; ++i) {
-      if (wall.Depth(p.Position(i)) < -spacing) continue;
+      if (wall->Depth(p.Position(i)) < -spacing) continue;
       const double stress = layer * std::pow(std::abs(velocity[i]) / 8.3, 1.75);
       acceleration[i] -= std::copysign(stress, velocity[i]);
     }
@@ -359,9 +362,6 @@ std::vector<PassPlan> Delta::Plan() const {
   std::vector<PassPlan> plan = ParticleSystemSPH::Plan();
   const DeltaParameters& delta = parameters_sph.delta;
   for (PassPlan& pass : plan) {
-    if (pass.name == "walls" && parameters.wall.kind == WallKind::kParticles) {
-      pass.reason = fmt::format("particles behind {} walls, in both passes", parameters.walls.size());
-    }
     if (pass.name == "density") {
       pass.reason =
           IsGas() ? "density by summation, and pressure" : "continuity and density diffusion, at the half step";

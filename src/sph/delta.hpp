@@ -6,6 +6,7 @@
 
 #include "sph/delta_passes.hpp"
 #include "sph/particle_system_sph.hpp"
+#include "sph/side_velocities.hpp"
 #include "sph/surface_tension.hpp"
 #include "sph/wall_particles.hpp"
 
@@ -68,7 +69,7 @@ class Delta : public ParticleSystemSPH {
   /// Of the images, from those of their sources: velocities, turned round in mirrors relative to the wall; the gradient
   /// of density, turned round, too; and what follows from the weight of the fluid between an image and its source.
   template <typename Real>
-  void CopyVelocitiesToImages(Arrays<Real>& arrays) const;
+  void CopyVelocitiesToImages(Arrays<Real>& arrays, const SideVelocities& sides) const;
   template <typename Real>
   void CopyGradientToImages(Arrays<Real>& arrays) const;
   template <typename Real>
@@ -79,7 +80,7 @@ class Delta : public ParticleSystemSPH {
   /// Of the wall particles, from those of the fluid and its images: see ComputeWallValues. Velocities are turned round
   /// relative to the wall, those along it only where the fluid sticks to it.
   template <typename Real>
-  void SetWallParticles(const FluidArrays<Real>& fluid, Arrays<Real>& arrays);
+  void SetWallParticles(const FluidArrays<Real>& fluid, Arrays<Real>& arrays, const SideVelocities& sides);
   void ComputeForces();
   void ComputeWaterForces();
   void AddTension();

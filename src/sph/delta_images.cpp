@@ -1,59 +1,26 @@
 // What a liquid's images have of their sources, and wall particles of the fluid: behind a wall velocities are turned
 // round, and weight goes on.
-#include <algorithm>
-
 #include "sph/delta.hpp"
 
 namespace sph {
 namespace {
 
-/// Velocity of the wall that bounds the fluid on this side [m/s].
-Vec2 WallVelocity(std::span<const Wall> walls, bool low, bool vertical) {
-  const FluidSide side =
-      vertical ? (low ? FluidSide::kRight : FluidSide::kLeft) : (low ? FluidSide::kAbove : FluidSide::kBelow);
-  const auto found = std::ranges::find(walls, side, &Wall::fluid);
-  if (found == walls.end()) return {};
-  return vertical ? Vec2{found->velocity, found->slide} : Vec2{found->slide, found->velocity};
+Beyond MirrorOf(ImageOf image) {
+  return image == ImageOf::kMirrorLow ? Beyond::kLow : image == ImageOf::kMirrorHigh ? Beyond::kHigh : Beyond::kNone;
 }
 
 }  // namespace
 
 template <typename Real>
-void Delta::CopyVelocitiesToImages(Arrays<Real>& arrays) const {
+void Delta::CopyVelocitiesToImages(Arrays<Real>& arrays, const SideVelocities& sides) const {
   const Images& images = neighbours_.AllImages();
   const std::size_t n = particles_.Size();
-  const Ends& ends = neighbours_.CurrentEnds();
-  const Particles& p = particles_;
-  const bool sticks = parameters.wall.no_slip;
-  const double mu = parameters_sph.viscosity;
-  const double c2 = Sound() * Sound();
-  // A velocity along the wall. Turned round alone, its profile would have a kink in its second derivative there, which
-  // is -(rho g - grad p)/mu: nothing accelerates at the wall.
-  const auto along = [&](double v, double slide, std::size_t i, double depth, double gravity, double gradient) {
-    if (!sticks) return v;
-    const double turned = 2 * slide - v;
-    return mu > 0 ? turned - (density_[i] * gravity - c2 * gradient) / mu * depth * depth : turned;
-  };
-  const auto depth = [](const AxisEnds& axis, ImageOf image, double at) {
-    return image == ImageOf::kMirrorLow ? at - axis.low : axis.high - at;
-  };
   for (std::size_t k = 0; k < images.Size(); ++k) {
     const std::uint32_t i = images.Sources()[k];
-    double vx = static_cast<double>(arrays.vx[i]), vy = static_cast<double>(arrays.vy[i]);
-    if (const ImageOf image = images.InX()[k]; Mirrored(image)) {
-      const Vec2 wall = WallVelocity(parameters.walls, image == ImageOf::kMirrorLow, true);
-      vx = 2 * wall.x - vx;
-      vy = along(vy, wall.y, i, depth(ends.x, image, p.x[i]), parameters.gravity.y,
-                 static_cast<double>(arrays.gradient_y[i]));
-    }
-    if (const ImageOf image = images.InY()[k]; Mirrored(image)) {
-      const Vec2 wall = WallVelocity(parameters.walls, image == ImageOf::kMirrorLow, false);
-      vy = 2 * wall.y - vy;
-      vx = along(vx, wall.x, i, depth(ends.y, image, p.y[i]), parameters.gravity.x,
-                 static_cast<double>(arrays.gradient_x[i]));
-    }
-    arrays.vx[n + k] = static_cast<Real>(vx);
-    arrays.vy[n + k] = static_cast<Real>(vy);
+    const Vec2 source{static_cast<double>(arrays.vx[i]), static_cast<double>(arrays.vy[i])};
+    const Vec2 v = sides.Behind(source, MirrorOf(images.InX()[k]), MirrorOf(images.InY()[k]));
+    arrays.vx[n + k] = static_cast<Real>(v.x);
+    arrays.vy[n + k] = static_cast<Real>(v.y);
   }
 }
 
@@ -104,7 +71,7 @@ void Delta::CopyVectorToImages(std::vector<Real>& x, std::vector<Real>& y) const
 }
 
 template <typename Real>
-void Delta::SetWallParticles(const FluidArrays<Real>& fluid, Arrays<Real>& arrays) {
+void Delta::SetWallParticles(const FluidArrays<Real>& fluid, Arrays<Real>& arrays, const SideVelocities& sides) {
   const auto sites = neighbours_.AllWallSites().Sites();
   if (sites.empty()) return;
   auto& values = std::get<WallValues<Real>>(wall_values_);
@@ -114,41 +81,31 @@ void Delta::SetWallParticles(const FluidArrays<Real>& fluid, Arrays<Real>& array
     ComputeWallValues(InputOf(fluid), WaterOf(arrays), walls, block, parameters.gravity, Sound(), values);
   });
   const double rho0 = Rho0(), per_c2 = 1 / (Sound() * Sound());
-  const bool sticks = parameters.wall.no_slip;
   for (std::size_t k = 0; k < sites.size(); ++k) {
     const std::size_t j = walls.first + k;
     const auto [column, row, in_x, in_y] = sites[k];
     const double density = rho0 + static_cast<double>(values.excess[k]);
-    double vx = static_cast<double>(values.vx[k]), vy = static_cast<double>(values.vy[k]);
-    if (in_x != Beyond::kNone) {
-      const Vec2 wall = WallVelocity(parameters.walls, in_x == Beyond::kLow, true);
-      vx = 2 * wall.x - vx;
-      if (sticks && in_y == Beyond::kNone) vy = 2 * wall.y - vy;
-    }
-    if (in_y != Beyond::kNone) {
-      const Vec2 wall = WallVelocity(parameters.walls, in_y == Beyond::kLow, false);
-      vy = 2 * wall.y - vy;
-      if (sticks && in_x == Beyond::kNone) vx = 2 * wall.x - vx;
-    }
+    const Vec2 before{static_cast<double>(values.vx[k]), static_cast<double>(values.vy[k])};
+    const Vec2 v = sides.Behind(before, in_x, in_y);
     arrays.volume[j] = static_cast<Real>(parameters.particle_mass / rho0);  // its part of the lattice
     arrays.excess[j] = values.excess[k];
     arrays.pressure[j] = values.pressure[k];
     arrays.wholeness[j] = values.wholeness[k];
-    arrays.vx[j] = static_cast<Real>(vx);
-    arrays.vy[j] = static_cast<Real>(vy);
+    arrays.vx[j] = static_cast<Real>(v.x);
+    arrays.vy[j] = static_cast<Real>(v.y);
     arrays.gradient_x[j] = static_cast<Real>(density * per_c2 * parameters.gravity.x);
     arrays.gradient_y[j] = static_cast<Real>(density * per_c2 * parameters.gravity.y);
   }
 }
 
-template void Delta::CopyVelocitiesToImages(Arrays<float>&) const;
-template void Delta::CopyVelocitiesToImages(Arrays<double>&) const;
+template void Delta::CopyVelocitiesToImages(Arrays<float>&, const SideVelocities&) const;
+template void Delta::CopyVelocitiesToImages(Arrays<double>&, const SideVelocities&) const;
 template void Delta::CopyGradientToImages(Arrays<float>&) const;
 template void Delta::CopyGradientToImages(Arrays<double>&) const;
 template void Delta::CopyPressureToImages(Arrays<float>&) const;
 template void Delta::CopyPressureToImages(Arrays<double>&) const;
-template void Delta::SetWallParticles(const FluidArrays<float>&, Arrays<float>&);
-template void Delta::SetWallParticles(const FluidArrays<double>&, Arrays<double>&);
+template void Delta::SetWallParticles(const FluidArrays<float>&, Arrays<float>&, const SideVelocities&);
+template void Delta::SetWallParticles(const FluidArrays<double>&, Arrays<double>&, const SideVelocities&);
 template void Delta::CopyVectorToImages(std::vector<float>&, std::vector<float>&) const;
 template void Delta::CopyVectorToImages(std::vector<double>&, std::vector<double>&) const;
 

@@ -235,6 +235,40 @@ TEST(Run, LoadsNoGlAndNoWindow) {
   EXPECT_FALSE(std::regex_search(when_running, found, screen)) << found.str();
 }
 
+/// Water behind a dam that comes for a tenth of a second, in front of a wall that it covers.
+std::string CoveredWall(const std::string& first, const std::string& second) {
+  return R"(title = "covered wall"
+solver = "delta"
+until = 0.2
+fluid = { particles = 400, mass = 0.625, region = { box = [0.0, 0.0, 0.5, 0.5] }, arrange = "lattice", flow = "hydrostatic" }
+equation_of_state.ideal_gas = { k = 500.0, rho0 = 1000.0 }
+method = { kernel = "wendland-c2", smoothing_length = 0.05, time_step = 0.0005, step = "adaptive" }
+forces.gravity = [0.0, -9.81]
+walls.kind = "mirror"
+arrows = { wall = "dam", speed = 1.0 }
+wall = [ { name = "left", at = 0.0, fluid = "right" }, )" +
+         first + ", " + second + R"(, { name = "floor", at = 0.0, fluid = "above" } ])";
+}
+
+TEST(Run, DoesNotDependOnTheOrderOfTheWallsOnOneSide) {
+  const std::string dam = R"({ name = "dam", at = 0.5, fluid = "left", range = [0.2, 0.9] })";
+  const std::string outer = R"({ name = "outer", at = 1.0, fluid = "left" })";
+  const ScratchDirectory scratch;
+  const std::string file = scratch.Path() / "walls.toml";
+  const auto hash = [&](const std::string& text) {
+    std::ofstream(file) << text;
+    return JsonOf({file, "--threads", "1", "--keys", "0.02:Left:0.1"})["state_hash"];
+  };
+  EXPECT_EQ(hash(CoveredWall(dam, outer)), hash(CoveredWall(outer, dam)));
+}
+
+TEST(Run, WarnsOfOldNamesInASceneOnStderr) {
+  const Outcome outcome = RunProgram({"run", "couette", "--steps", "1", "--json", "--set", "walls.slip=none"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "sphlab: --set: walls.slip = 'none' is the old name of 'no-slip'\n");
+  EXPECT_TRUE(json::accept(outcome.out));
+}
+
 TEST(Run, WritesPointsInALocaleWithCommas) {
   const ScratchDirectory scratch;
   const std::string make =

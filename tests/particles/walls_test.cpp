@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -64,6 +65,43 @@ TEST(LegalRegion, IsBoundedByTheInnermostOfTwoWallsOnOneSide) {
   auto walls = Tank();
   walls.push_back({"dam", FluidSide::kLeft, 0.5, 0, 0.5, 0.5});
   EXPECT_EQ(LegalRegion(walls).x1, 0.5);
+}
+
+TEST(BoundingWalls, AreTheInnermostOnesWhateverTheirOrder) {
+  auto walls = Tank();
+  walls.push_back({"dam", FluidSide::kLeft, 0.5, 0, 0.5, 0.5});
+  walls.push_back({"step", FluidSide::kAbove, -3, 0, -3, -3});
+  for (int order = 0; order < 2; ++order) {
+    const BoundingWalls bounding(walls);
+    EXPECT_EQ(bounding.Of(FluidSide::kLeft)->name, "dam");
+    EXPECT_EQ(bounding.Of(FluidSide::kRight)->name, "left");
+    EXPECT_EQ(bounding.Of(FluidSide::kAbove)->name, "floor");
+    EXPECT_EQ(bounding.Of(FluidSide::kBelow), nullptr);
+    std::reverse(walls.begin(), walls.end());
+  }
+}
+
+TEST(BoundingWalls, BeforeAreThoseThatBoundedThen) {
+  auto walls = Tank();
+  walls.push_back({"dam", FluidSide::kLeft, 2.5, -1, 0, 9});
+  EXPECT_EQ(BoundingWalls(walls).Of(FluidSide::kLeft)->name, "dam");
+  EXPECT_EQ(BoundingWalls(walls, 1).Of(FluidSide::kLeft)->name, "right");
+  EXPECT_EQ(LegalRegion(walls, 1).x1, 3);
+  EXPECT_EQ(LegalRegion(walls, 0.25).x1, 2.75);
+}
+
+TEST(BoundingWalls, OfTwoInOnePlaceAreTheOneThatComesAndThenTheFirstByName) {
+  std::vector<Wall> walls = {
+      {"a", FluidSide::kLeft, 1, 0, 1, 1}, {"c", FluidSide::kLeft, 1, -1, 0, 2}, {"b", FluidSide::kLeft, 1, -1, 0, 2}};
+  do EXPECT_EQ(BoundingWalls(walls).Of(FluidSide::kLeft)->name, "b");
+  while (std::next_permutation(walls.begin(), walls.end(), [](auto& a, auto& b) { return a.name < b.name; }));
+}
+
+TEST(TangentialVelocity, SwingsAboutItsMean) {
+  const TangentialVelocity velocity{2, 3, 0.25, 0.5};
+  EXPECT_DOUBLE_EQ(velocity.At(0), 2 + 3 * std::sin(0.5));
+  EXPECT_DOUBLE_EQ(velocity.At(1), 2 + 3 * std::cos(0.5)) << "a quarter of a period later";
+  EXPECT_NEAR(velocity.At(4), velocity.At(0), 1e-12);
 }
 
 TEST(FindWall, FindsByNameAndNothingElse) {

@@ -63,11 +63,19 @@ TEST(SceneChecks, RefuseHalfASettlingAndOneThatNeverEnds) {
 }
 
 TEST(SceneChecks, RefuseASlidingWallToWhichNothingSticks) {
-  const std::vector<std::string> mirrors = {"solver=delta", "walls.kind=mirror", "wall.floor.slide=2"};
-  EXPECT_TRUE(Has(Refusal(kScene, {"wall.floor.slide=2"}), {"FILE", "'floor'", "slide = 2", "walls.kind = 'mirror'"}));
-  EXPECT_TRUE(Has(Refusal(kScene, mirrors), {"walls.slip = 'none'"}));
-  EXPECT_EQ(Refusal(kScene, {mirrors[0], mirrors[1], "walls.slip=none", mirrors[2]}), "accepted");
-  EXPECT_EQ(Refusal(kScene, {mirrors[0], "walls.kind=particles", "walls.slip=none", mirrors[2]}), "accepted");
+  const std::string slides = "wall.floor.tangential_velocity=2", mirror = "walls.kind=mirror", delta = "solver=delta";
+  EXPECT_TRUE(Has(Refusal(kScene, {slides}), {"FILE", "'floor'", "tangential_velocity", "walls.kind = 'mirror'"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {delta, mirror, slides}), {"slip = 'no-slip'"}));
+  EXPECT_EQ(Refusal(kScene, {delta, mirror, "walls.slip=no-slip", slides}), "accepted");
+  EXPECT_EQ(Refusal(kScene, {delta, "walls.kind=particles", "walls.slip=no-slip", slides}), "accepted");
+  EXPECT_EQ(Refusal(kScene, {delta, mirror, "wall.floor.slip=no-slip", slides}), "accepted");
+  EXPECT_TRUE(Has(Refusal(kScene, {delta, mirror, "walls.slip=no-slip", "wall.floor.slip=free-slip", slides}),
+                  {"'floor'", "slip = 'no-slip'"}));
+}
+
+TEST(SceneChecks, RefuseToStickToWallsThatTheFluidDoesNotSee) {
+  EXPECT_TRUE(Has(Refusal(kScene, {"walls.slip=no-slip"}), {"FILE: walls.slip", "'mirror' or 'particles'"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"wall.floor.slip=no-slip"}), {"wall 'floor'", "'mirror' or 'particles'"}));
 }
 
 TEST(SceneChecks, RefuseWhatTheSolverDoesNotUse) {
@@ -94,7 +102,8 @@ TEST(SceneChecks, RefuseMoreLayersOfWallParticlesThanAnybodyNeeds) {
 TEST(SceneChecks, RefuseABoundaryLayerWhereNothingSlipsAlongAMirror) {
   const std::string layer = "walls.layer_viscosity=1e-6";
   EXPECT_TRUE(Has(Refusal(kScene, {layer}), {"FILE", "walls.kind = 'mirror'"}));
-  EXPECT_TRUE(Has(Refusal(kScene, {"solver=delta", "walls.kind=mirror", "walls.slip=none", layer}), {"'free'"}));
+  EXPECT_TRUE(
+      Has(Refusal(kScene, {"solver=delta", "walls.kind=mirror", "walls.slip=no-slip", layer}), {"'free-slip'"}));
   EXPECT_EQ(SceneFrom(kScene, {"solver=delta", "walls.kind=mirror", layer}).base.wall.layer_viscosity, 1e-6);
 }
 

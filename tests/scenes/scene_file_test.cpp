@@ -115,6 +115,52 @@ TEST(ReadScene, RefusesTwoOfWhatAFluidHasOne) {
   });
 }
 
+/// The scene with mirrors, and the floor as these lines say.
+std::string WithFloor(const std::string& lines) {
+  return Changed("range = [-0.5, 0.5]\n", lines + "\n[walls]\nkind = \"mirror\"\n");
+}
+
+TEST(ReadScene, TakesTheVelocityOfAWallAlongItselfAsANumberOrAsAnOscillation) {
+  const auto velocity = [](const std::string& value) {
+    const Scene scene = SceneFrom(WithFloor("slip = \"no-slip\"\ntangential_velocity = " + value), {"solver=delta"});
+    return scene.base.walls[0].tangential;
+  };
+  EXPECT_EQ(velocity("-1.5").At(7), -1.5);
+  EXPECT_EQ(velocity("{ mean = 2 }").At(7), 2);
+  const TangentialVelocity swings = velocity("{ mean = 1, amplitude = 2, frequency = 3, phase = 4 }");
+  EXPECT_EQ(swings.mean, 1);
+  EXPECT_EQ(swings.amplitude, 2);
+  EXPECT_EQ(swings.frequency, 3);
+  EXPECT_EQ(swings.phase, 4);
+}
+
+TEST(ReadScene, RefusesAnOscillationThatIsNone) {
+  const auto refusal = [](const std::string& value) {
+    return Refusal(WithFloor("tangential_velocity = " + value), {"solver=delta"});
+  };
+  EXPECT_TRUE(Has(refusal("\"fast\""), {"FILE:15:", "wall.tangential_velocity takes a number [m/s] or { mean,"}));
+  EXPECT_TRUE(Has(refusal("{ means = 1 }"), {"FILE:15:", "wall.tangential_velocity.means", "Did you mean 'mean'?"}));
+  EXPECT_TRUE(Has(refusal("{ amplitude = 1 }"), {"FILE:15:", "amplitude [m/s] and frequency [Hz] together"}));
+  EXPECT_TRUE(Has(refusal("{ mean = 1, phase = 1 }"), {"FILE:15:", "phase [rad] only with them"}));
+  EXPECT_TRUE(Has(refusal("{ amplitude = 1, frequency = 0 }"), {"FILE:15:", "frequency = 0", "> 0"}));
+}
+
+TEST(ReadScene, WarnsOfOldNamesAndTakesThem) {
+  const Scene scene = SceneFrom(WithFloor("slide = 2") + "slip = \"none\"\n", {"solver=delta"});
+  EXPECT_TRUE(Sticks(scene.base.walls[0], scene.base.wall));
+  EXPECT_EQ(scene.base.walls[0].tangential.mean, 2);
+  ASSERT_EQ(scene.warnings.size(), 2u);
+  const std::string both = scene.warnings[0] + "\n" + scene.warnings[1];
+  EXPECT_TRUE(Has(both, {":15:9: wall.slide is the old name of wall.tangential_velocity",
+                         ":18:8: walls.slip = 'none' is the old name of 'no-slip'"}));
+  EXPECT_FALSE(SceneFrom(WithFloor("slip = \"free\""), {"solver=delta", "walls.slip=no-slip"}).warnings.empty());
+  EXPECT_TRUE(SceneFrom(kScene, {}).warnings.empty());
+  EXPECT_TRUE(Has(Refusal(WithFloor("slide = 2\ntangential_velocity = 2")),
+                  {"FILE:15:9: wall.slide is the old name of wall.tangential_velocity, which is there, too"}));
+  EXPECT_TRUE(Has(Refusal(kScene, {"walls.slip=non"}), {"one of: free-slip, no-slip"}));
+  EXPECT_TRUE(Has(Refusal(WithFloor("slid = 2")), {"unknown key 'wall.slid'"}));
+}
+
 TEST(ReadScene, RefusesBrokenTomlWithLineAndColumn) {
   ExpectRefusals({
       {"particles = 100", "particles = ", {"FILE:3:"}},

@@ -151,7 +151,9 @@ TEST(DeltaTerms, ABoundaryLayerTakesFromTheFluidWhatItsVelocityProfileSays) {
   constexpr double kNu = 1e-6, kSpeed = 3, kSpacing = 1.0 / kAcross;
   Water water;
   water.sph.periods = {kTile, true, false};
-  water.base.walls = {{.name = "floor", .fluid = FluidSide::kAbove, .at = 0}};
+  water.base.walls = {{.name = "floor", .fluid = FluidSide::kAbove, .at = 0},
+                      {.name = "cellar", .fluid = FluidSide::kAbove, .at = -0.1 * kSpacing},  // behind the floor
+                      {.name = "ceiling", .fluid = FluidSide::kBelow, .at = 1, .no_slip = true}};
   water.base.wall.kind = WallKind::kMirror;
   water.base.wall.layer_viscosity = kNu;
   GivenLiquid system(water.base, water.sph, [](Vec2) { return Vec2{-kSpeed, 0}; });
@@ -173,7 +175,7 @@ TEST(DeltaTerms, AWallThatSlidesDragsTheFluidThatSticksToItAndNoOther) {
     water.sph.viscosity = 1;
     water.base.time_step = 1e-4;
     water.base.walls = {{.name = "left", .fluid = FluidSide::kRight, .at = 0},
-                        {.name = "right", .fluid = FluidSide::kLeft, .at = 1, .slide = 0.3}};
+                        {.name = "right", .fluid = FluidSide::kLeft, .at = 1, .tangential = {0.3}}};
     water.base.wall.kind = WallKind::kMirror;
     water.base.wall.no_slip = sticks;
     water.sph.periods = {kTile, false, true};

@@ -154,7 +154,7 @@ TEST(WallsOfParticles, DragTheFluidThatSticksToThemAndNoOther) {
     base.particle_mass = kRho0 / 1600;
     base.time_step = 2e-4;
     base.walls = {{.name = "left", .fluid = FluidSide::kRight, .at = 0},
-                  {.name = "right", .fluid = FluidSide::kLeft, .at = 1, .slide = 0.3}};
+                  {.name = "right", .fluid = FluidSide::kLeft, .at = 1, .tangential = {0.3}}};
     base.wall.no_slip = sticks;
     ParametersSPH water = Water();
     water.smoothing_length = 0.05;
