@@ -146,9 +146,10 @@ class CommandLine {
   void AddVerify() {
     CLI::App* command = Add("verify", "accuracy against exact solutions", [this] { return Verify(verify_); });
     command->add_option("CASE", verify_.cases, "names of cases; default: all that are quick");
-    command->add_flag("--all", verify_.all, "the long ones, too");
+    command->add_flag("--all", verify_.all, "the long ones, too, and more particles");
     command->add_option("--threads", verify_.threads, "0: as many as there are processors")->check(CLI::Range(0, 4096));
-    command->add_flag("--json", verify_.json, "an array of {case, solver, particles, metric, value, bar, ...}");
+    command->add_flag("--json", verify_.json,
+                      "an array of {case, solver, particles, metric, kind, value, bar, holds, order, ladder, ...}");
   }
 
   void AddBench() {

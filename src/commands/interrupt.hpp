@@ -7,4 +7,8 @@ namespace sph {
 void CatchInterrupts();
 bool Interrupted();
 
+/// From now on the two signals end the program at once, with the exit code of an interruption: for commands that write
+/// no files, and compute for long between two looks.
+void EndWhenInterrupted();
+
 }  // namespace sph

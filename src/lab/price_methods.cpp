@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "lab/resolutions.hpp"
 #include "scenes/build.hpp"
 #include "sph/solvers.hpp"
 
@@ -63,23 +64,6 @@ Scene SceneFor(const Solver& solver, const Scene& own, const SceneRequest& reque
   return scene;
 }
 
-/// The number of particles nearest to `wanted`, within a factor of sqrt(2), whose square lattice fills the box; 0 if
-/// there is none.
-std::size_t NearestFilling(const Box& box, double wanted) {
-  constexpr double kRoundOff = 1e-6;
-  std::size_t nearest = 0;
-  double distance = 0.5 * std::numbers::ln2;
-  for (double columns = 1; columns * columns * box.Height() / box.Width() < 2 * wanted; ++columns) {
-    const double rows = columns * box.Height() / box.Width();
-    if (std::abs(rows - std::round(rows)) > kRoundOff * rows || rows < 0.5) continue;
-    const double number = columns * std::round(rows);
-    if (std::abs(std::log(number / wanted)) > distance) continue;
-    distance = std::abs(std::log(number / wanted));
-    nearest = static_cast<std::size_t>(number);
-  }
-  return nearest;
-}
-
 }  // namespace
 
 std::string_view NameOf(StepChoice step) {
@@ -117,14 +101,13 @@ Prepared Prepare(const VerificationCase& of, const Method& method, std::size_t p
 
 std::vector<std::size_t> Resolutions(const VerificationCase& of) {
   const Block fluid = LoadScene(of.request).base.fluid;
-  const bool lattice =
-      fluid.region.radius <= 0 && fluid.arrange != Arrangement::kRandom && fluid.arrange != Arrangement::kHexagonal;
   const auto own = static_cast<double>(fluid.particles);
   std::vector<std::size_t> numbers;
   for (int power = -6; power <= 2; ++power) {
     const double wanted = std::ldexp(own, power);
     const std::size_t rounded = static_cast<std::size_t>(std::llround(wanted));
-    const std::size_t number = lattice && power != 0 ? NearestFilling(fluid.region.box, wanted) : rounded;
+    const std::size_t number =
+        IsLatticeInBox(fluid) && power != 0 ? NearestFilling(fluid.region.box, wanted, std::numbers::sqrt2) : rounded;
     if (number > 0 && (numbers.empty() || number > numbers.back())) numbers.push_back(number);
   }
   return numbers;

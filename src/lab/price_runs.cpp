@@ -31,7 +31,8 @@ void NoteErrors(const std::vector<Verdict>& verdicts, PricedRun& run, std::vecto
   }
   if (!run.note.empty() || !metrics.empty()) return;
   for (const Verdict& verdict : verdicts) {
-    if (verdict.is_error) metrics.push_back(verdict.relative ? verdict.relative->metric : verdict.metric);
+    if (verdict.kind != MetricKind::kPrice)
+      metrics.push_back(verdict.relative ? verdict.relative->metric : verdict.metric);
   }
   if (metrics.size() > 1) metrics.insert(metrics.begin(), "greatest error");
 }
@@ -110,7 +111,8 @@ void MeasureMethod(const VerificationCase& of, const PriceOptions& options, cons
 std::vector<double> ErrorsOf(const std::vector<Verdict>& verdicts) {
   std::vector<double> errors;
   for (const Verdict& verdict : verdicts) {
-    if (verdict.is_error) errors.push_back(verdict.relative ? verdict.relative->value : verdict.value);
+    if (verdict.kind == MetricKind::kPrice) continue;
+    errors.push_back(std::abs(verdict.relative ? verdict.relative->value : verdict.value));
   }
   if (errors.size() > 1) errors.insert(errors.begin(), std::ranges::max(errors));
   return errors;

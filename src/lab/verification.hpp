@@ -1,34 +1,15 @@
 // Verification: runs of scenes with exact solutions, what came out, and the bar that it is held against.
 #pragma once
 
-#include <limits>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "lab/verdict.hpp"
 #include "scenes/request.hpp"
 #include "sph/particle_system_sph.hpp"
 
 namespace sph {
-
-/// An error as a part of the quantity's own scale.
-struct RelativeError {
-  std::string metric;
-  double value = 0;
-};
-
-/// One metric of one run. It holds if 0 <= value <= bar.
-struct Verdict {
-  std::string metric;  ///< with its unit, or relative
-  double value = 0;
-  double bar = 0;
-  std::string reference;                       ///< what is exact, and what others reach
-  std::optional<RelativeError> relative = {};  ///< the same, where `value` has a unit
-  bool is_error = true;                        ///< false: a run time
-
-  bool Holds() const { return value >= 0 && value <= bar; }
-};
 
 /// What is known of a flow at one time.
 struct FlowSnapshot {
@@ -55,6 +36,10 @@ struct VerificationCase {
   std::vector<Verdict> (*measure)(ParticleSystemSPH& system);
   const Judgement* judgement = nullptr;  ///< of `measure`, where others' runs of the same flow can be judged, too
   bool in_bench = true;                  ///< false where `measure` is not of one run that has errors at any resolution
+  /// What settings cannot say of the scene.
+  void (*change)(Scene& scene) = nullptr;
+  /// The numbers of particles of the ladder, over the case's own, from coarse to fine; at least two up to 1.
+  std::vector<double> shares = {0.25, 1, 4};
 };
 
 /// Every case, in the order in which they are shown.
@@ -65,13 +50,23 @@ std::vector<Verdict> MeasureStaticStar(ParticleSystemSPH& system, double bar, co
 std::vector<Verdict> MeasureBreathingStar(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureEllipticStar(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureTaylorGreen(ParticleSystemSPH& system);
-std::vector<Verdict> MeasureTaylorGreenOrder(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureShearWave(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureEllipticDrop(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureStillWater(ParticleSystemSPH& system);
-std::vector<Verdict> MeasureWaterColumn(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureTankOfParticles(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureRest(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureTiltedRest(ParticleSystemSPH& system);
 std::vector<Verdict> MeasurePoiseuille(ParticleSystemSPH& system);
-std::vector<Verdict> MeasureMeasuredFront(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureDisorderedPoiseuille(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureSteadyPoiseuille(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureCouette(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureDisorderedCouette(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureCavity(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureCavityDrift(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureWaterColumn(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureColumnNoise(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureFrontConvergence(ParticleSystemSPH& system);
+std::vector<Verdict> MeasureMeasuredFront(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureOscillatingDrop(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureCapillaryDrop(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureRotatingSquare(ParticleSystemSPH& system);
@@ -83,13 +78,13 @@ std::vector<Verdict> MeasureOperators(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureMomentum(ParticleSystemSPH& system);
 std::vector<Verdict> MeasureReversal(ParticleSystemSPH& system);
 
-/// The scene of MeasureOperators: vortices so arranged, with this viscosity [Pa s], and a step in which nothing moves.
-SceneRequest FrozenVortices(const std::string& arrange, std::size_t particles, const std::string& viscosity);
+// What their scenes have that settings cannot say.
+/// A step in which nothing moves, and only the forces that are asked for.
+void Freeze(Scene& scene);
+/// A ceiling, so that gravity may be tilted.
+void CloseTank(Scene& scene);
 
-/// The value of a metric of a run that broke down: no bar holds it.
-inline constexpr double kBroken = std::numeric_limits<double>::infinity();
-
-extern const Judgement kTaylorGreen, kEllipticDrop, kStillWater, kPoiseuille, kWaterColumn;
+extern const Judgement kTaylorGreen, kEllipticDrop, kStillWater, kPoiseuille, kWaterColumn, kCavity;
 
 /// Steps until `time` [s] or until the run breaks down.
 void AdvanceTo(ParticleSystemSPH& system, double time);

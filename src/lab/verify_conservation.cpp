@@ -31,8 +31,11 @@ std::vector<Verdict> MeasureMomentum(ParticleSystemSPH& system) {
   const Momentum start = MomentumOf(system.State());
   AdvanceTo(system, 0.5);
   const Vec2 change = MomentumOf(system.State()).sum - start.sum;
-  return {{"change of momentum until t = 0.5 s, relative", system.Trouble() ? kBroken : Length(change) / start.size,
-           1e-12, "constant"}};
+  return {{.metric = "change of momentum until t = 0.5 s, relative",
+           .value = system.Trouble() ? kBroken : Length(change) / start.size,
+           .bar = 1e-12,
+           .reference = "constant",
+           .kind = MetricKind::kInvariant}};
 }
 
 /// There and back over half a period of the mode that stretches one axis and squeezes the other, omega^2 = 2 lambda:
@@ -55,8 +58,11 @@ std::vector<Verdict> MeasureReversal(ParticleSystemSPH& system) {
   advance();
   double error = 0;
   for (std::size_t i = 0; i < p.Size(); ++i) error = std::max(error, Length(p.Position(i) - start[p.id[i]]));
-  return {{"back at the start, greatest distance over the way", star.Trouble() ? kBroken : error / furthest, 1e-12,
-           "0: leapfrog is reversible"}};
+  return {{.metric = "back at the start, greatest distance over the way",
+           .value = star.Trouble() ? kBroken : error / furthest,
+           .bar = 1e-12,
+           .reference = "0: leapfrog is reversible",
+           .kind = MetricKind::kInvariant}};
 }
 
 }  // namespace sph

@@ -133,7 +133,7 @@ WaterInput<Real> Delta::WaterOf(const Arrays<Real>& arrays) const {
           .artificial = delta.artificial_viscosity * h_c * Rho0() + (stress ? 8 * mu : 0),
           .spacing = InitialSpacing(),
           .variance = kernel.variance * Support() * Support(),
-          .gradient_flat = delta.sharp_gradient ? kernel.flat / lattice_.fourth_order : 1,
+          .gradient_flat = delta.sharp_gradient ? kernel.flat / lattice_.fourth_order : 1 / lattice_.second_order,
           .gradient_fall = delta.sharp_gradient ? kernel.fall / lattice_.fourth_order : 0,
           .tensile_control = delta.tensile_control};
 }
@@ -317,7 +317,7 @@ void Delta::AddWallFriction(std::size_t first, std::size_t last) {
 void Delta::AfterStep() {
   if (IsGas()) return;
   TieDensity();
-  if (parameters_sph.delta.shifting) Shift();
+  Shift();
 }
 
 /// Shifts particles towards where they are missing, as Sun et al. do [2017, eq. 7], but with another speed: disorder
@@ -325,10 +325,10 @@ void Delta::AfterStep() {
 /// Michel et al., J. Comput. Phys. 459 (2022) 110999, eq. 20], this vanishes with the spacing, and in water at rest. A
 /// twentieth of a spacing at most.
 void Delta::Shift() {
-  constexpr double kStrength = 6;
+  const double strength = parameters_sph.delta.shifting ? 6 : 0;
   Particles& p = particles_;
   const double longest = 0.05 * InitialSpacing();
-  const double factor = kStrength * Support() * Support() * LastStep();
+  const double factor = strength * Support() * Support() * LastStep();
   std::visit(
       [&]<typename Real>(Arrays<Real>& arrays) {
         ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {

@@ -202,8 +202,9 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
   const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<Real>(value)); };
   const auto one = set(1), zero = hn::Zero(d);
   const SepticLaplacianLanes<decltype(d)> laplacian(d, pairs.Support());
-  const auto push_factor = set(slope), drag_factor = set(2 * water.viscosity * laplacian.Factor(input.support));
-  const auto brake_factor = set(water.artificial / (unit * kernel.Factor() * kernel.Factor()));
+  const auto push_factor = set(slope * water.gradient_flat), drag_factor = set(2 * water.viscosity * laplacian.Factor(input.support));
+  const double brake = water.artificial / water.gradient_flat;  // it has no part in these weights
+  const auto brake_factor = set(brake / (unit * kernel.Factor() * kernel.Factor()));
   const auto square_of = [](auto value) HWY_ATTR { return hn::Mul(value, value); };
   const auto at_spacing = kernel.ValueOf(kernel.At(kernel.DistanceOf(square_of(set(water.spacing / unit)))));
   const auto bias_factor = hn::Div(set(0.2), square_of(square_of(at_spacing)));
@@ -211,7 +212,7 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
   const auto per_close2 = set(1 / (too_close * too_close));
   const double support = pairs.Support();
   const auto least_inside = set(water.tensile_control ? kInside : std::numeric_limits<double>::infinity());
-  const auto push_flat = set(water.gradient_flat), push_fall = set(water.gradient_fall / (support * support));
+  const auto push_fall = set(water.gradient_fall / (water.gradient_flat * support * support));
   const bool refine = block.coarse;
   Refinement<Real> refinement(pairs, block);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
@@ -232,7 +233,7 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
       const auto weight = hn::Mul(kernel.SlopeOf(place), volume);
       const auto wx = hn::Mul(weight, dx), wy = hn::Mul(weight, dy);
       auto push = hn::Add(own_pressure, hn::Set(d, water.pressure[j]));
-      if constexpr (kMaySharpen) push = hn::Mul(push, hn::NegMulAdd(r2, push_fall, push_flat));
+      if constexpr (kMaySharpen) push = hn::Mul(push, hn::NegMulAdd(r2, push_fall, one));
       if constexpr (kViscous || kArtificial) {
         const auto du = hn::Sub(hn::Set(d, water.vx[j]), vx);
         const auto dv = hn::Sub(hn::Set(d, water.vy[j]), vy);

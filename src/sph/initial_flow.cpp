@@ -43,6 +43,14 @@ FlowAtPoint TaylorGreen(Vec2 point, const FlowScale& scale) {
           -0.25 * scale.density * u * u * (std::cos(2 * x) + std::cos(2 * y))};
 }
 
+/// u = U/sqrt 2 (1, -1) sin k(x + y), k = 2 pi/L, no pressure: shear at 45 degrees to the axes, which does not change
+/// but for its decay.
+FlowAtPoint ShearWave(Vec2 point, const FlowScale& scale) {
+  const double x = (point.x - scale.box.x0) / scale.box.Width() + (point.y - scale.box.y0) / scale.box.Height();
+  const double u = scale.speed / std::numbers::sqrt2 * std::sin(2 * pi * x);
+  return {{u, -u}};
+}
+
 /// u = -A x, v = A y with A = U/R, p = rho A^2/2 (R^2 - r^2) in a disk [J. J. Monaghan, J. Comput. Phys. 110 (1994)
 /// 399].
 FlowAtPoint Stretching(Vec2 point, const FlowScale& scale) {
@@ -101,6 +109,7 @@ std::span<const InitialFlow> AllInitialFlows() {
       InitialFlow{"hydrostatic", "no motion, pressure that carries the fluid above", &Hydrostatic},
       InitialFlow{"standing-wave", "a wave between two walls, when its surface is flat", &StandingWave},
       InitialFlow{"taylor-green", "a periodic array of vortices", &TaylorGreen},
+      InitialFlow{"shear-wave", "a wave of shear at 45 degrees in a square that repeats", &ShearWave},
       InitialFlow{"stretching", "a drop that becomes an ellipse", &Stretching},
       InitialFlow{"star", "a toy star at rest", &StarAtRest},
       InitialFlow{"breathing-star", "a toy star that swells from its static size", &Star},

@@ -15,7 +15,7 @@ constexpr KernelProperties kProperties[] = {
 template <typename Kernel>
 LatticeSums SumsOn(const Kernel& kernel, const KernelProperties& properties, double reach, double a, double b,
                    double c) {
-  LatticeSums sums{0, 0};
+  LatticeSums sums{0, 0, 0};
   const int rows = static_cast<int>(reach / (a * c)) + 1, columns = static_cast<int>(reach / a) + 1;
   for (int row = -rows; row <= rows; ++row) {
     for (int column = -columns - rows; column <= columns + rows; ++column) {
@@ -23,7 +23,9 @@ LatticeSums SumsOn(const Kernel& kernel, const KernelProperties& properties, dou
       if (r >= reach) continue;
       const double s2 = r * r / (reach * reach);
       sums.concentration += kernel.Value(r);
-      sums.fourth_order -= 0.5 * kernel.Gradient(r) * r * r * (properties.flat - properties.fall * s2);
+      const double second = -0.5 * kernel.Gradient(r) * r * r;
+      sums.second_order += second;
+      sums.fourth_order += second * (properties.flat - properties.fall * s2);
     }
   }
   return sums;
@@ -35,7 +37,8 @@ LatticeSums MeanSums(const KernelProperties& properties, double reach) {
   const LatticeSums square = SumsOn(kernel, properties, reach, 1, 0, 1);
   const double pitch = std::sqrt(2 / std::numbers::sqrt3);
   const LatticeSums hexagonal = SumsOn(kernel, properties, reach, pitch, 0.5, 0.5 * std::numbers::sqrt3);
-  return {0.5 * (square.concentration + hexagonal.concentration), 0.5 * (square.fourth_order + hexagonal.fourth_order)};
+  return {0.5 * (square.concentration + hexagonal.concentration), 0.5 * (square.second_order + hexagonal.second_order),
+          0.5 * (square.fourth_order + hexagonal.fourth_order)};
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ const KernelProperties& PropertiesOf(SmoothingKernel kernel);
 /// stand between these two.
 struct LatticeSums {
   double concentration = 1;  ///< sum V W
-  double fourth_order = 1;   ///< sum V (-W'/r)(flat - fall s^2) r^2/2
+  double second_order = 1;   ///< sum V (-W'/r) r^2/2
+  double fourth_order = 1;   ///< the same times flat - fall s^2
 };
 
 /// @param reach  support radius over the spacing, > 0.

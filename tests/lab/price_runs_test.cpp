@@ -24,7 +24,7 @@ std::vector<Verdict> Pretend(ParticleSystemSPH& system) {
   const double error = system.Trouble() ? kBroken : 1 / static_cast<double>(n);
   return {{"an error [m]", 7 * error, 1, "", RelativeError{"an error", error}},
           {"another", 2 * error, 1, ""},
-          {"seconds", 5, 1, "", {}, false}};
+          {"seconds", 5, 1, "", {}, MetricKind::kPrice}};
 }
 
 VerificationCase PretendedCase(std::vector<std::string> settings = {}) {
@@ -119,8 +119,8 @@ PricedRun RunOf(const std::string& solver, double seconds, double error) {
 }
 
 TEST(ErrorsOf, BeginWithTheGreatestOfSeveral) {
-  const Verdict first{"a", 0.1, 1, ""}, second{"b [m]", 7, 1, "", RelativeError{"b", 0.2}},
-      time{"s", 9, 1, "", {}, false};
+  const Verdict first{"a", -0.1, 1, ""}, second{"b [m]", 7, 1, "", RelativeError{"b", 0.2}},
+      time{"s", 9, 1, "", {}, MetricKind::kPrice};
   EXPECT_EQ(ErrorsOf({first, second, time}), (std::vector{0.2, 0.1, 0.2}));
   EXPECT_EQ(ErrorsOf({second, time}), (std::vector{0.2}));
 }

@@ -49,7 +49,8 @@ Derivatives DerivativesOf(const InitialFlow& flow, const FlowScale& scale, Vec2 
 
 TEST(InitialFlow, OfALiquidHasNoDivergence) {
   const FlowScale scale = SomeScale();
-  for (const char* name : {"rest", "hydrostatic", "standing-wave", "taylor-green", "stretching", "rotating-square"}) {
+  for (const char* name :
+       {"rest", "hydrostatic", "standing-wave", "taylor-green", "shear-wave", "stretching", "rotating-square"}) {
     for (const Vec2 p : PointsOf(scale.box)) {
       const Derivatives d = DerivativesOf(Named(name), scale, p);
       // In a wave the two differences' errors, of (k delta)^2/6 with k delta = 0.006, do not cancel.
