@@ -1,6 +1,7 @@
 // Blocks whose lattice fills their region: how many particles, how stretched.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "particles/lattice.hpp"
 
@@ -74,7 +75,8 @@ std::pair<std::size_t, std::size_t> FillingNumbers(const Block& block) {
   const Vec2 pitch = PitchOf(block);
   const Box& box = block.region.box;
   const double rows_per_column = box.Height() / box.Width() * pitch.x / pitch.y;
-  for (double columns = 1; columns * columns * rows_per_column < 2 * static_cast<double>(asked); ++columns) {
+  const double most = 2 * static_cast<double>(asked);
+  for (double columns = 1; columns <= most && columns * columns * rows_per_column < most; ++columns) {
     const double rows = std::round(columns * rows_per_column);
     if (std::abs(rows - columns * rows_per_column) > kRoundOff * rows) continue;
     const auto n = static_cast<std::size_t>(columns * rows);

@@ -192,7 +192,8 @@ TEST(Run, WarnsOnceOfEnergyThatNothingPutIn) {
   EXPECT_EQ(warnings({"run", "mueller", "--set", "forces.viscosity=0", "--until", "1"}), 1);
   EXPECT_EQ(warnings({"run", "mueller", "--until", "1"}), 0);
   // Walls that are pushed and blocks that are dropped put energy in.
-  EXPECT_EQ(warnings({"run", "dam-break", "--until", "2", "--keys", "0.2:d,0.4:space,0.6:space,0.8:Left:0.8"}), 0);
+  EXPECT_EQ(warnings({"run", "dam-break", "--until", "2", "--keys", "0.2:d,0.8:Left:0.8"}), 0);
+  EXPECT_EQ(warnings({"run", "mueller", "--until", "2", "--keys", "0.1:space,0.5:space,1:space"}), 0);
   EXPECT_EQ(warnings({"run", "mueller", "--set", "forces.viscosity=0", "--until", "1", "--quiet"}), 0);
 }
 
