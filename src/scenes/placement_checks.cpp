@@ -89,6 +89,9 @@ void CheckDistances(const Scene& scene, const std::string& source) {
   Block fluid = scene.base.fluid;
   if (!fluid.IsLattice()) fluid.spacing = 0;  // which only lattices have
   const double spacing = Spacing(fluid);
+  if (!(spacing > 0)) {
+    throw UsageError("{}: the fluid's region is too small for {} particles", source, fluid.particles);
+  }
   const bool in_float = scene.sph.precision == Precision::kFloat;
   const double furthest_in_float = in_float ? 0x1p22 * scene.sph.smoothing_length : HUGE_VAL;  // or 2 h, or 3 h
   const double furthest = std::min(0x1p26 * spacing, furthest_in_float);
