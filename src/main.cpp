@@ -15,6 +15,7 @@
 #include "commands/figures.hpp"
 #include "commands/interrupt.hpp"
 #include "commands/listing.hpp"
+#include "commands/messages.hpp"
 #include "commands/render.hpp"
 #include "commands/run.hpp"
 #include "commands/stress.hpp"
@@ -207,6 +208,7 @@ class CommandLine {
       throw UsageError("unknown command or scene '{}'.{}", window_.scene, meant);
     }
     CatchInterrupts();
+    NotePlacement(LoadScene(window_), false);
     return RunWindow(window_, &Interrupted);
   }
 

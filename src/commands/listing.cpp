@@ -56,7 +56,7 @@ void ListScenes(bool json) {
       list.push_back({{"name", name},
                       {"title", scene.title},
                       {"solver", scene.solver},
-                      {"particles", scene.base.fluid.particles}});
+                      {"particles", CompleteParameters(scene).fluid.particles}});
     } else {
       fmt::print("{:20} {}\n", name, scene.title);
     }
@@ -100,6 +100,8 @@ void DescribeScene(const SceneRequest& request, bool json) {
                      {"solver", scene.solver},
                      {"kernel", system->KernelName()},
                      {"particles", system->State().Size()},
+                     {"particles_asked_for", scene.base.fluid.particles},
+                     {"placement", DescribePlacement(scene)},
                      {"particle_mass", p.particle_mass},
                      {"spacing", system->InitialSpacing()},
                      {"support_radius", system->Support()},
@@ -116,6 +118,7 @@ void DescribeScene(const SceneRequest& request, bool json) {
   fmt::print("solver {} ({}), {} particles of {:.4g} kg/m, {:.4g} m apart, support radius {:.4g} m, step {:.4g} s\n",
              scene.solver, system->KernelName(), system->State().Size(), p.particle_mass, system->InitialSpacing(),
              system->Support(), p.time_step);
+  fmt::print("{}\n", DescribePlacement(scene));
   if (!p.walls.empty() && p.wall.kind == WallKind::kPenalty) {
     fmt::print("walls: stiffness {:.4g} 1/s^2, damping {:.4g} 1/s\n", p.wall.stiffness, p.wall.damping);
   }

@@ -4,7 +4,14 @@
 
 #include <cstdio>
 
+#include "scenes/build.hpp"
+
 namespace sph {
+
+void NotePlacement(const Scene& scene, bool quiet) {
+  if (quiet || Fitted(scene.base.fluid).particles == scene.base.fluid.particles) return;
+  fmt::print(stderr, "sphlab: {}: {}\n", scene.name, DescribePlacement(scene));
+}
 
 void PassOnMessage(Session& session, bool quiet) {
   if (!session.message.empty() && !quiet) {

@@ -90,6 +90,7 @@ ExitCode RenderScene(const RenderOptions& options) {
   KeepFreedMemory();
   const Size size = ReadSize(options.size);
   Session session(options.common.request);
+  NotePlacement(session.CurrentScene(), options.common.quiet);
   KeyScript keys(options.common.keys, session.CurrentScene());
   const long wanted = CountFrames(options, options.until.value_or(session.CurrentScene().until));
   FrameWriter writer(options, size);

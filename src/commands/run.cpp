@@ -85,6 +85,7 @@ ExitCode RunScene(const RunOptions& options) {
   SceneRequest request = options.common.request;
   if (!options.restart.empty()) request = RequestToGoOnWith(options.restart, request, options.scene_given);
   Session session(request);
+  NotePlacement(session.CurrentScene(), options.common.quiet);
   KeyScript keys(options.common.keys, session.CurrentScene());
   TimeSeries series(options.csv, options.every);
   const RunState run{session, keys, series};

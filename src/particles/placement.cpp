@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "base/check.hpp"
+#include "particles/lattice.hpp"
 
 namespace sph {
 
@@ -40,58 +40,14 @@ std::vector<Vec2> PlaceAtRandom(const Block& block, Random& random) {
   return places;
 }
 
-/// Rows sqrt(3)/2 apart in units of the distance in a row; a disk has a particle in its centre.
-std::vector<Vec2> PlaceHexagonally(const Block& block) {
-  const double pitch = Spacing(block) * std::sqrt(2 / std::numbers::sqrt3);
-  const double rise = 0.5 * std::numbers::sqrt3 * pitch;
-  const Box bounds = block.region.Bounds();
-  const bool a_box = block.region.radius <= 0;
-  const Vec2 origin = a_box ? Vec2{bounds.x0 + 0.25 * pitch, bounds.y0 + 0.5 * rise} : block.region.centre;
-  const auto rows = static_cast<long>(std::ceil(bounds.Height() / rise)) + 1;
-  const auto columns = static_cast<long>(std::ceil(bounds.Width() / pitch)) + 1;
-  std::vector<Vec2> places;
-  for (long row = a_box ? 0 : -rows; row <= rows; ++row) {
-    for (long column = a_box ? 0 : -columns; column <= columns; ++column) {
-      const double offset = row % 2 == 0 ? 0 : 0.5;
-      const Vec2 site = origin + Vec2{(static_cast<double>(column) + offset) * pitch, static_cast<double>(row) * rise};
-      if (block.region.Contains(site) && places.size() < block.particles) places.push_back(site);
-    }
-  }
-  return places;
-}
-
-/// Calls visit(site) for the sites of a square lattice, half a spacing inside `box`, rows from the bottom up, until it
-/// returns false. A box narrower than a spacing has one column in its middle.
-template <typename Visit>
-void VisitLattice(const Box& box, double spacing, Visit visit) {
-  constexpr double kRoundOff = 1e-9;
-  constexpr double kMostColumns = 1e9;
-  const double width = box.Width() / spacing;
-  const auto columns = static_cast<long>(std::clamp(std::floor(width + kRoundOff), 1.0, kMostColumns));
-  const double margin = 0.5 * std::min(width + kRoundOff, 1.0);
-  for (long row = 0; box.y0 + static_cast<double>(row + 1) * spacing <= box.y1 + kRoundOff * spacing; ++row) {
-    for (long column = 0; column < columns; ++column) {
-      const Vec2 site{box.x0 + (static_cast<double>(column) + margin) * spacing,
-                      box.y0 + (static_cast<double>(row) + 0.5) * spacing};
-      if (!visit(site)) return;
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<Vec2> Place(const Block& block, Random& random) {
   SPH_CHECK(block.region.Area() > 0, "area = {}", block.region.Area());
   if (block.particles == 0) return {};
-  if (block.arrange == Arrangement::kRandom || block.arrange == Arrangement::kRelaxed)
-    return PlaceAtRandom(block, random);
-  if (block.arrange == Arrangement::kHexagonal) return PlaceHexagonally(block);
+  if (!block.IsLattice()) return PlaceAtRandom(block, random);
   std::vector<Vec2> places;
-  Box column = block.region.Bounds();
-  const bool a_box = block.region.radius <= 0;
-  if (a_box) column.y1 = std::numeric_limits<double>::max();
-  VisitLattice(column, Spacing(block), [&](Vec2 site) {
-    if (!a_box && !block.region.Contains(site)) return true;
+  VisitSites(block, [&](Vec2 site) {
     if (block.arrange == Arrangement::kJittered) site.x += block.jitter * random.Uniform();
     if (block.arrange == Arrangement::kPerturbed) {
       site.x += random.Uniform(-block.jitter, block.jitter);

@@ -1,7 +1,8 @@
-// Where the particles of a block of fluid start: random, on a lattice, on a jittered lattice.
+// Where the particles of a block of fluid start: at random, or on a lattice.
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "base/random.hpp"
@@ -37,14 +38,33 @@ struct Block {
   double spacing = 0;  ///< of the lattice [m]; 0: the square root of region area over particles
   double jitter = 0;   ///< [m]
   Vec2 velocity;       ///< of every particle [m/s]
+  /// Of a lattice that fills its box from side to side, see Fitted; 0 of any other start.
+  std::size_t columns = 0, rows = 0;
+
+  bool IsDisk() const { return region.radius > 0; }
+  bool IsLattice() const { return arrange != Arrangement::kRandom && arrange != Arrangement::kRelaxed; }
 };
 
 /// Side of the square that one particle of the block fills [m].
 double Spacing(const Block& block);
 
-/// The block's positions [m], block.particles of them. A lattice fills a box row by row from the bottom, and goes on
-/// above it when its rows do not hold them all; in a disk, it ends where the disk does, so that the result may be
-/// shorter.
+/// The block with the number of particles that Place makes of it. A lattice without a spacing of its own is stretched a
+/// little, so that whole numbers of columns and rows fill its box: of those whose product is within half a row or half
+/// a column of the number asked for, the pair with the nearest product and the squarest cells. In a disk the lattice
+/// has a site in the centre, and the number is the nearest n of which the disk holds exactly n at an n-th of its area
+/// each. A lattice with a spacing of its own keeps it, and ends where a disk does.
+Block Fitted(const Block& block);
+
+/// The numbers nearest to block.particles, below and above, whose lattice fills the region without being stretched; 0
+/// where there is none within a factor of 2.
+std::pair<std::size_t, std::size_t> FillingNumbers(const Block& block);
+
+/// The box that no particle of a fitted block starts outside of [m].
+Box StartBounds(const Block& block);
+
+/// The block's positions [m], block.particles of them. A lattice with a spacing of its own fills a box row by row from
+/// the bottom, and goes on above it when its rows do not hold them all; in a disk, lattices end where the disk does, so
+/// that the result may be shorter, unless the block is fitted.
 std::vector<Vec2> Place(const Block& block, Random& random);
 
 /// Positions for a block dropped into a scene that may have fluid in the way: lattice rows from the bottom of the

@@ -65,16 +65,35 @@ std::optional<ToyStar> StarOf(const Scene& scene) {
 
 Parameters CompleteParameters(const Scene& scene) {
   Parameters base = scene.base;
+  base.fluid = Fitted(base.fluid);
+  if (base.fluid.spacing <= 0) {  // one that the scene gives is its particles' own, and so is their mass
+    base.particle_mass *= static_cast<double>(scene.base.fluid.particles) / static_cast<double>(base.fluid.particles);
+  }
   if (const auto star = StarOf(scene)) base.central_force = star->CentralForce();
   if (base.drop.region.Area() <= 0) base.drop = DefaultDrop(base);
   if (base.drop.spacing <= 0) base.drop.spacing = Spacing(base.fluid);
   if (base.drop.particles == 0) {
-    constexpr double kRoundOff = 1e-9;
+    constexpr double kRoundOff = 1e-6;
     const double sites = base.drop.region.Area() / (base.drop.spacing * base.drop.spacing);
     base.drop.particles = static_cast<std::size_t>(sites + kRoundOff);
   }
   if (base.particle_limit == 0) base.particle_limit = std::max<std::size_t>(20 * base.fluid.particles, 10'000);
   return base;
+}
+
+std::string DescribePlacement(const Scene& scene) {
+  const Block asked = scene.base.fluid, fluid = Fitted(asked);
+  std::string text = fmt::format("placed {} particles", fluid.particles);
+  if (fluid.columns > 0) text += fmt::format(" ({} x {})", fluid.columns, fluid.rows);
+  if (fluid.particles == asked.particles) return text;
+  text += fmt::format(" of {} asked for", asked.particles);
+  if (asked.spacing > 0) return text + fmt::format(": with fluid.spacing = {} m no more are inside", asked.spacing);
+  text += ", with their mass in all";
+  const auto [below, above] = FillingNumbers(asked);
+  if (below == 0 && above == 0) return text;
+  return text + fmt::format("; nearest numbers that fill the {} exactly: {}{}{}", asked.IsDisk() ? "disk" : "box",
+                            below > 0 ? fmt::format("{}", below) : "", below > 0 && above > 0 ? ", " : "",
+                            above > 0 ? fmt::format("{}", above) : "");
 }
 
 std::unique_ptr<ParticleSystemSPH> MakeSystem(const Scene& scene) {

@@ -14,9 +14,13 @@ namespace sph {
 /// kDerived keep the same penetration in spacings: K times f, damping times sqrt(f).
 void ScaleToParticles(Scene& scene, std::size_t particles);
 
-/// What the system is made of: the scene's parameters with everything filled in that follows from others: the star's
-/// central force, the block to drop, the particle limit.
+/// What the system is made of: the scene's parameters with everything filled in that follows from others: the number
+/// of particles that fills the region, with a mass that makes them as heavy as those asked for, the star's central
+/// force, the block to drop, the particle limit.
 Parameters CompleteParameters(const Scene& scene);
+
+/// How many particles the scene starts with, and, where that is not the number asked for, which numbers would fit.
+std::string DescribePlacement(const Scene& scene);
 
 /// A system of the scene's solver at its start. UsageError if that is none: a position, density or force that is not a
 /// number. TroubleError if the fluid is to settle before, and breaks down.

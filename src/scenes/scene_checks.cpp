@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest_name.hpp"
+#include "scenes/placement_checks.hpp"
 #include "scenes/scene_file.hpp"
 
 namespace sph {
@@ -118,7 +119,7 @@ void CheckWallParticles(const Scene& scene, const std::string& source) {
   if (scene.base.wall.kind != WallKind::kParticles) return;
   constexpr double kMostLayers = 20;
   const double support = SupportOf(scene.sph.delta.kernel) * scene.sph.smoothing_length;
-  const double spacing = Spacing(scene.base.fluid);
+  const double spacing = Spacing(Fitted(scene.base.fluid));
   if (support <= kMostLayers * spacing) return;
   throw UsageError(
       "{}: walls.kind = 'particles' takes a support radius of at most {} spacings; here it is {:.4g}: "
@@ -182,6 +183,7 @@ void CheckWhole(const Scene& scene, const std::string& source) {
     throw UsageError("{}: reference = 'static-star' needs forces.star", source);
   }
   CheckPeriods(scene, source);
+  CheckPlacement(scene, source);
   CheckSeenWalls(scene, source);
   CheckWallParticles(scene, source);
   CheckSlip(scene, source);

@@ -107,7 +107,7 @@ std::span<const SceneKey> AllSceneKeys() {
       {"reference", "exact solution to compare with", kStart, false,
        Choice(kReferences, [](S& s) -> Reference& { return s.reference; })},
 
-      {"fluid.particles", "number of particles", kStart, true,
+      {"fluid.particles", "number of particles; of a lattice without spacing about that", kStart, true,
        [](S& s, const V& v) { s.base.fluid.particles = static_cast<std::size_t>(v.AsInteger(1, kMostParticles)); }},
       {"fluid.mass", "mass of a particle [kg/m]", kStart, true,
        Number(positive, [](S& s) -> double& { return s.base.particle_mass; })},

@@ -12,9 +12,12 @@ using std::numbers::pi;
 
 FlowAtPoint AtRest(Vec2, const FlowScale&) { return {}; }
 
-/// p = rho g (y_surface - y).
+/// p = rho g . (x - x_surface), the surface being at the level of the box's corner that is highest against gravity, so
+/// that no pressure is negative.
 FlowAtPoint Hydrostatic(Vec2 point, const FlowScale& scale) {
-  return {{}, -scale.density * scale.gravity.y * (scale.box.y1 - point.y)};
+  const Vec2 weight = scale.density * scale.gravity;
+  const Vec2 highest{weight.x > 0 ? scale.box.x0 : scale.box.x1, weight.y > 0 ? scale.box.y0 : scale.box.y1};
+  return {{}, Dot(weight, point - highest)};
 }
 
 /// A wave that stands, as long as the fluid is wide, at the moment when its surface is flat and its speed greatest:
@@ -106,8 +109,9 @@ FlowAtPoint EllipticStar(Vec2 point, const FlowScale& scale) {
 std::span<const InitialFlow> AllInitialFlows() {
   static const std::array flows = {
       InitialFlow{"rest", "no motion, reference density", &AtRest},
-      InitialFlow{"hydrostatic", "no motion, pressure that carries the fluid above", &Hydrostatic},
-      InitialFlow{"standing-wave", "a wave between two walls, when its surface is flat", &StandingWave},
+      InitialFlow{"hydrostatic", "no motion, pressure that carries the fluid above", &Hydrostatic, Weight::kAnyWay},
+      InitialFlow{"standing-wave", "a wave between two walls, when its surface is flat", &StandingWave,
+                  Weight::kDownwards},
       InitialFlow{"taylor-green", "a periodic array of vortices", &TaylorGreen},
       InitialFlow{"shear-wave", "a wave of shear at 45 degrees in a square that repeats", &ShearWave},
       InitialFlow{"stretching", "a drop that becomes an ellipse", &Stretching},

@@ -24,10 +24,14 @@ struct FlowAtPoint {
   double density = 0;   ///< of a gas [kg/m^3]
 };
 
+/// Gravity that a flow's pressure stands against, and that walls must hold the fluid against.
+enum class Weight { kNone, kAnyWay, kDownwards };
+
 struct InitialFlow {
   std::string name;
   std::string what;  ///< one line for people
   FlowAtPoint (*at)(Vec2 point, const FlowScale& scale);
+  Weight weight = Weight::kNone;
 };
 
 /// Every flow, the one at rest first.

@@ -34,12 +34,21 @@ void Session::Load(const SceneRequest& request) {
   set_to_.clear();
   fingerprint_ = FingerprintOf(request.scene);
   guard_.emplace(*system_, scene_.retries);
+  energy_ = {};
+}
+
+void Session::Mark() {
+  guard_->Mark();
+  energy_.Forget();
 }
 
 void Session::Step() {
+  if (const std::string warning = energy_.Look(*system_); !warning.empty()) message = warning;
   const int retreats = guard_->Retreats();
   guard_->Step();
-  if (guard_->Retreats() != retreats) message = guard_->LastRetreat();
+  if (guard_->Retreats() == retreats) return;
+  message = guard_->LastRetreat();
+  energy_.Forget();
 }
 
 bool Session::StepUnlessPaused() {
@@ -55,12 +64,14 @@ void Session::Reset() {
   set_to_.clear();
   system_->Reset();
   guard_->Reset();
+  energy_ = {};
   paused = false;
   message = "reset";
 }
 
 void Session::GoBack() {
   guard_->GoBack();
+  energy_.Forget();
   paused = true;
   message = fmt::format("back to t = {:.6g} s; p goes on", system_->Time());
 }
@@ -68,7 +79,7 @@ void Session::GoBack() {
 void Session::DropBlock() {
   message = system_->DropBlock();
   if (!message.empty()) return;
-  guard_->Mark();
+  Mark();
   message = fmt::format("{} particles dropped", system_->parameters.drop.particles);
 }
 
@@ -94,7 +105,7 @@ void Session::PressSceneKey(const std::string& key) {
       message = error.what();  // the fluid as it is now does not bear it
     }
   }
-  guard_->Mark();
+  Mark();
 }
 
 void Session::SetKey(const std::string& key, double to) {
@@ -110,7 +121,7 @@ void Session::MoveWall(int direction) {
     return;
   }
   wall->velocity = direction * scene_.arrow_speed;
-  guard_->Mark();
+  Mark();
 }
 
 void Session::GoToNextScene(int offset) {
@@ -172,6 +183,7 @@ void Session::Transfer(Archive& archive) {
   archive(paused, single_steps, speed, colouring);
   system_->Transfer(archive);
   guard_->Transfer(archive);
+  if (archive.Reading()) energy_ = {};
 }
 
 std::string NameOf(Colouring colouring) {

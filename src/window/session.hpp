@@ -10,6 +10,7 @@
 #include "particles/canvas.hpp"
 #include "particles/guard.hpp"
 #include "scenes/request.hpp"
+#include "sph/energy_watch.hpp"
 
 namespace sph {
 
@@ -26,7 +27,7 @@ class Session {
   void Transfer(Archive& archive);
 
   /// Advances by one step, unless the system is in trouble. Where the step breaks down, the guard goes back as often as
-  /// the scene allows, and `message` says so.
+  /// the scene allows, and `message` says so; it also says once that energy came from nowhere.
   void Step();
   /// The same as far as the pause key allows it: a step, a single step asked for, or none.
   /// @return whether a step was made.
@@ -62,6 +63,8 @@ class Session {
  private:
   void Load(const SceneRequest& request);
   void SetKey(const std::string& key, double to);
+  /// What a key has changed is not undone, and its energy is accounted for.
+  void Mark();
 
   SceneRequest request_;
   Scene start_;                        // as loaded
@@ -71,6 +74,7 @@ class Session {
   std::uint64_t fingerprint_ = 0;  // of the scene's file
   std::unique_ptr<ParticleSystemSPH> system_;
   std::optional<Guard> guard_;
+  EnergyWatch energy_;
 };
 
 /// "black disks", "speed", "pressure", "density".

@@ -172,6 +172,31 @@ TEST(Run, QuietlyAndInJsonIsJsonAlone) {
   EXPECT_EQ(outcome.err, "");
 }
 
+TEST(Run, SaysHowManyParticlesThereAreInPlaceOfThoseAskedFor) {
+  const Program::Arguments column = {"run", "water-column", "--steps", "0", "--json"};
+  const Outcome outcome = RunProgram(column);
+  EXPECT_NE(outcome.err.find("placed 10011 particles (71 x 141) of 10000 asked for"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("fill the box exactly: 9800, 10082"), std::string::npos) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out).at("particles"), 10011);
+  EXPECT_EQ(RunProgram({"run", "water-column", "--particles", "9800", "--steps", "0"}).err, "");
+}
+
+TEST(Run, WarnsOnceOfEnergyThatNothingPutIn) {
+  const auto warnings = [](const Program::Arguments& arguments) {
+    const std::string said = RunProgram(arguments).err;
+    const std::string warning = "the energy of the fluid has grown";
+    const auto place = said.find(warning);
+    if (place == std::string::npos) return 0;
+    return said.find(warning, place + 1) == std::string::npos ? 1 : 2;
+  };
+  EXPECT_EQ(warnings({"run", "mueller", "--set", "forces.viscosity=0", "--until", "1"}), 1);
+  EXPECT_EQ(warnings({"run", "mueller", "--until", "1"}), 0);
+  // Walls that are pushed and blocks that are dropped put energy in.
+  EXPECT_EQ(warnings({"run", "dam-break", "--until", "2", "--keys", "0.2:d,0.8:Left:0.8"}), 0);
+  EXPECT_EQ(warnings({"run", "mueller", "--until", "2", "--keys", "0.1:space,0.5:space,1:space"}), 0);
+  EXPECT_EQ(warnings({"run", "mueller", "--set", "forces.viscosity=0", "--until", "1", "--quiet"}), 0);
+}
+
 TEST(Run, GivesTheSameBitsWithAnyNumberOfThreads) {
   for (const char* scene : {"dam-break", "toy-star", "mueller"}) {
     const json one = JsonOf({scene, "--steps", "60", "--threads", "1"});

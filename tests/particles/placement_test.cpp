@@ -74,7 +74,7 @@ TEST(Place, RandomStartsAreUniformOverTheDisk) {
   EXPECT_NEAR(static_cast<double>(inner) / 20000, 0.25, 4 * std::sqrt(0.25 * 0.75 / 20000));
 }
 
-RC_GTEST_PROP(Place, GivesALatticeInABoxAnyNumberOnSitesASpacingApart, ()) {
+RC_GTEST_PROP(Place, GivesALatticeThatIsNotFittedAnyNumberOnSitesASpacingApart, ()) {
   const auto n = *rc::gen::inRange<std::size_t>(0, 400);
   const Block block = InABox(n, Arrangement::kLattice);
   const auto places = PlaceWithSeed(block, 1);
@@ -189,6 +189,135 @@ TEST(Place, HexagonalBoxIsFilledByAboutTheNumberAskedForAndNoMore) {
   EXPECT_GT(places.size(), 1940u);  // a row, or a column, may not fit
   EXPECT_NEAR(LeastDistance(places), HexagonalPitch(block), 1e-12);
   for (const Vec2 place : places) EXPECT_TRUE(block.region.Contains(place));
+}
+
+/// A box a corner of which is anywhere, of any shape but the thinnest.
+Block SomeBox(Arrangement arrange) {
+  const auto thousandths = [](int least, int most) { return 0.001 * *rc::gen::inRange(least, most); };
+  Block block = InABox(*rc::gen::inRange<std::size_t>(1, 3000), arrange);
+  const Vec2 corner{thousandths(-5000, 5000), thousandths(-5000, 5000)};
+  block.region.box = {corner.x, corner.y, corner.x + thousandths(200, 3000), corner.y + thousandths(200, 3000)};
+  return block;
+}
+
+Box BoundsOf(const std::vector<Vec2>& places) {
+  Box bounds{1e300, 1e300, -1e300, -1e300};
+  for (const Vec2 p : places) {
+    bounds = {std::min(bounds.x0, p.x), std::min(bounds.y0, p.y), std::max(bounds.x1, p.x), std::max(bounds.y1, p.y)};
+  }
+  return bounds;
+}
+
+RC_GTEST_PROP(Fitted, LatticeFillsItsBoxAndHasAboutTheNumberAskedFor, ()) {
+  for (const Arrangement arrange : {Arrangement::kLattice, Arrangement::kHexagonal}) {
+    const Block asked = SomeBox(arrange), block = Fitted(asked);
+    const auto places = PlaceWithSeed(block, 1);
+    RC_ASSERT(places.size() == block.particles);
+    RC_ASSERT(block.particles == block.columns * block.rows);
+    const Box& box = block.region.box;
+    for (const Vec2 place : places) RC_ASSERT(block.region.Contains(place));
+    // As far from the left side as from the right one, and from the floor as from the top.
+    const Box bounds = BoundsOf(places);
+    const double round_off = 1e-9 * (box.Width() + box.Height());
+    RC_ASSERT(arrange == Arrangement::kHexagonal && block.rows == 1 ||
+              std::abs((bounds.x0 - box.x0) - (box.x1 - bounds.x1)) < round_off);
+    RC_ASSERT(std::abs((bounds.y0 - box.y0) - (box.y1 - bounds.y1)) < round_off);
+    const double off = std::abs(static_cast<double>(block.particles) - static_cast<double>(asked.particles));
+    RC_ASSERT(off <= 0.5 * static_cast<double>(std::max(block.columns, block.rows)));
+    RC_ASSERT(Fitted(block).particles == block.particles);
+  }
+}
+
+TEST(Fitted, ColumnTwiceAsHighAsWideGetsTheNearestNumberOfNearlySquareCells) {
+  Block column = InABox(10'000, Arrangement::kLattice);
+  column.region.box = {0, 0, 1, 2};
+  const Block fitted = Fitted(column);
+  EXPECT_EQ(fitted.columns, 71u);
+  EXPECT_EQ(fitted.rows, 141u);
+  EXPECT_EQ(fitted.particles, 10'011u);
+  EXPECT_EQ(FillingNumbers(column), (std::pair<std::size_t, std::size_t>{9'800, 10'082})) << "70 x 140 and 71 x 142";
+}
+
+TEST(Fitted, NumbersThatFillTheirBoxStayAsTheyAreToTheBit) {
+  for (const Arrangement arrange : {Arrangement::kLattice, Arrangement::kJittered, Arrangement::kPerturbed}) {
+    for (const auto& [box, n] : {std::pair{Box{0, 0, 2, 0.9}, 4500},
+                                 {Box{0, 0, 2.0 / 3, 1}, 2400},
+                                 {Box{-0.5, -0.5, 0.5, 0.5}, 10'000},
+                                 {Box{0, 0, 0.6, 0.3}, 12'800}}) {
+      Block block = InABox(static_cast<std::size_t>(n), arrange);
+      block.region.box = box;
+      block.jitter = 0.001;
+      EXPECT_EQ(Fitted(block).particles, block.particles);
+      EXPECT_EQ(PlaceWithSeed(Fitted(block), 3), PlaceWithSeed(block, 3));
+    }
+  }
+}
+
+TEST(Fitted, DiskHoldsItsNumberAtEqualPartsOfItsAreaRoundItsCentre) {
+  for (const Arrangement arrange : {Arrangement::kHexagonal, Arrangement::kLattice}) {
+    for (const std::size_t asked : {1u, 4u, 100u, 2000u, 3000u}) {
+      const Block block = Fitted(InADisk(asked, arrange));
+      const auto places = PlaceWithSeed(block, 1);
+      EXPECT_EQ(places.size(), block.particles);
+      Vec2 sum;
+      for (const Vec2 place : places) sum = sum + (place - block.region.centre);
+      EXPECT_NEAR(Length(sum), 0, 1e-9) << "as many on every side";
+      const double least = arrange == Arrangement::kHexagonal ? std::sqrt(2 / std::sqrt(3.0)) : 1;
+      if (asked > 4) EXPECT_NEAR(LeastDistance(places), least * Spacing(block), 1e-9);
+      EXPECT_NEAR(static_cast<double>(block.particles), static_cast<double>(asked), 3 + std::sqrt(asked))
+          << "by a third of what lies along the rim";
+    }
+  }
+  EXPECT_EQ(Fitted(InADisk(2000, Arrangement::kHexagonal)).particles, 1993u);
+  EXPECT_EQ(FillingNumbers(InADisk(2000, Arrangement::kHexagonal)),
+            (std::pair<std::size_t, std::size_t>{1'993, 2'053}));
+}
+
+TEST(Fitted, SpacingThatIsGivenStays) {
+  Block disk = InADisk(4000, Arrangement::kHexagonal);
+  disk.spacing = 0.025;
+  const Block fitted = Fitted(disk);
+  EXPECT_EQ(fitted.spacing, 0.025);
+  EXPECT_EQ(fitted.particles, PlaceWithSeed(disk, 1).size()) << "no more are inside";
+  Block box = InABox(65, Arrangement::kLattice);
+  box.spacing = 0.1;
+  EXPECT_EQ(PlaceWithSeed(Fitted(box), 1), PlaceWithSeed(box, 1));
+}
+
+TEST(Place, LatticeFarFromTheOriginHasTheSameColumns) {
+  // There a hundred spacings are less than the box's width by rounding.
+  Block block = InABox(4500, Arrangement::kLattice);
+  block.spacing = 0.02;
+  for (const double far : {0.0, 262144.0, 1e6}) {
+    block.region.box = {far, far, far + 2, far + 0.9};
+    const auto places = PlaceWithSeed(block, 1);
+    ASSERT_EQ(places.size(), 4500u);
+    EXPECT_NEAR(places.back().x - far, 1.99, 1e-9);
+    EXPECT_NEAR(places.back().y - far, 0.89, 1e-9);
+  }
+}
+
+RC_GTEST_PROP(StartBounds, HasAllPlacesInside, (std::uint64_t seed)) {
+  for (const Arrangement arrange : {Arrangement::kRandom, Arrangement::kLattice, Arrangement::kJittered,
+                                    Arrangement::kPerturbed, Arrangement::kHexagonal}) {
+    Block block = *rc::gen::arbitrary<bool>() ? SomeBox(arrange) : InADisk(*rc::gen::inRange(1, 500), arrange);
+    block.jitter = 0.02;
+    if (*rc::gen::arbitrary<bool>()) block.spacing = 0.001 * *rc::gen::inRange(20, 300);
+    block = Fitted(block);
+    const Box extent = StartBounds(block);
+    for (const Vec2 p : PlaceWithSeed(block, seed)) {
+      constexpr double kRoundOff = 1e-12;
+      RC_ASSERT(p.x >= extent.x0 - kRoundOff && p.x <= extent.x1 + kRoundOff);
+      RC_ASSERT(p.y >= extent.y0 - kRoundOff && p.y <= extent.y1 + kRoundOff);
+    }
+  }
+}
+
+TEST(StartBounds, OfALatticeThatGoesOnAboveItsBoxEndsWithItsLastRow) {
+  Block block = InABox(65, Arrangement::kLattice);
+  block.region.box = {0, 0, 1, 0.6};
+  block.spacing = 0.1;
+  EXPECT_NEAR(StartBounds(block).y1, PlaceWithSeed(block, 1).back().y, 1e-12);
 }
 
 TEST(PlaceAround, TakesTheLowestFreeSitesOfTheBlocksColumn) {

@@ -110,6 +110,38 @@ TEST(CompleteParameters, FillsInTheBlocksSpacingAndNumber) {
   EXPECT_EQ(p.drop.particles, 50u) << "as many as its box holds";
 }
 
+TEST(MakeSystem, HasTheMassAskedForWhateverNumberFits) {
+  const auto mass = [](const Scene& scene) {
+    const auto system = MakeSystem(scene);
+    double sum = 0;
+    for (const double m : system->State().mass) sum += m;
+    return sum;
+  };
+  const std::string disk = "region = { disk = { centre = [0.5, 0.5], radius = 0.4 } }";
+  for (const std::string arrange : {"lattice", "jittered", "perturbed", "hexagonal", "relaxed", "random"}) {
+    for (const std::string& text : {kScene, Changed("region = { box = [0.0, 0.0, 1.0, 1.0] }", disk)}) {
+      const Scene scene = SceneFrom(text, {"fluid.particles=97", "fluid.arrange=" + arrange});
+      EXPECT_NEAR(mass(scene), 97 * 0.01, 1e-12) << arrange;
+    }
+  }
+  std::string text = Changed("region = { box = [0.0, 0.0, 1.0, 1.0] }", disk);
+  text.replace(text.find("tait = { k = 0.5, rho0 = 1.0 }"), 30, "polytrope = { k = 0.1 }");
+  const Scene star = SceneFrom(text, {"solver=delta", "fluid.arrange=hexagonal", "fluid.masses=graded",
+                                      "fluid.flow=star", "fluid.particles=97"});
+  EXPECT_NEAR(mass(star), 97 * 0.01, 1e-12) << "graded";
+}
+
+TEST(DescribePlacement, SaysWhatWasPlacedAndWhatWouldFit) {
+  const Scene fits = SceneFrom(kScene, {"fluid.arrange=lattice"});
+  EXPECT_EQ(DescribePlacement(fits), "placed 100 particles (10 x 10)");
+  const Scene does_not = SceneFrom(kScene, {"fluid.arrange=lattice", "fluid.particles=107"});
+  EXPECT_TRUE(Has(DescribePlacement(does_not), {"placed 110 particles", "of 107 asked for", "box exactly: 100, 121"}));
+  const Scene hexagons = SceneFrom(
+      Changed("region = { box = [0.0, 0.0, 1.0, 1.0] }", "region = { disk = { centre = [0.5, 0.5], radius = 0.4 } }"),
+      {"fluid.arrange=hexagonal", "fluid.particles=2000"});
+  EXPECT_TRUE(Has(DescribePlacement(hexagons), {"placed 1993 particles of 2000", "disk exactly: 1993, 2053"}));
+}
+
 TEST(CompleteParameters, LeavesWhatTheSceneSays) {
   const Scene scene = SceneFrom(kScene, {"fluid.limit=123", "forces.central=7"});
   EXPECT_EQ(CompleteParameters(scene).particle_limit, 123u);
@@ -138,15 +170,15 @@ TEST(InitialView, ShowsFluidAndWallsWhereverTheyGo) {
 
 TEST(MakeSystem, RefusesASceneThatCannotStart) {
   SceneRequest request;
-  request.scene = "still-water";
-  request.particles = 200;
-  request.settings = {"forces.gravity=[0.0, 1e9]"};  // the hydrostatic pressure is far below zero
+  request.scene = "rotating-square";
+  request.particles = 196;
+  request.settings = {"fluid.masses=graded", "fluid.flow_speed=1e6"};  // the pressure is far below zero
   try {
     MakeSystem(LoadScene(request));
     FAIL() << "accepted";
   } catch (const UsageError& error) {
     const std::string message = error.what();
-    for (const char* part : {"still-water", "cannot start", "particle 0", "its mass is not a number above 0"}) {
+    for (const char* part : {"rotating-square", "cannot start", "particle 0", "its mass is not a number above 0"}) {
       EXPECT_NE(message.find(part), std::string::npos) << message;
     }
   }

@@ -34,7 +34,7 @@ TEST(Catalogue, EverySceneRunsTwentyStepsWithoutTrouble) {
   for (const std::string& name : SceneNames()) {
     const Scene scene = Load(name);
     const auto system = MakeSystem(scene);
-    ASSERT_EQ(system->State().Size(), scene.base.fluid.particles) << name;
+    ASSERT_EQ(system->State().Size(), CompleteParameters(scene).fluid.particles) << name;
     for (int k = 0; k < 20; ++k) system->Step();
     EXPECT_FALSE(system->Trouble()) << name << ": " << system->Trouble()->Message();
     EXPECT_EQ(Diagnose(*system).outside, 0u) << name;
