@@ -76,7 +76,7 @@ class CommandLine {
     AddOutputOptions(*command, render_.common);
     command->add_option("--out", render_.out, "folder of the frames")->required();
     command->add_option("--frames", render_.frames, "how many at most; default: up to --until")
-        ->check(CLI::Range(1L, 100'000'000L));
+        ->check(WholeNumber(1, 100'000'000));
     command->add_option("--fps", render_.fps, "frames per simulated second")
         ->check(FinitePositive())
         ->capture_default_str();
@@ -96,7 +96,7 @@ class CommandLine {
     auto* until =
         command->add_option("--until", run_.until, "simulated end [s]; default: the scene's")->check(FinitePositive());
     command->add_option("--steps", run_.steps, "number of steps")
-        ->check(CLI::Range(0L, 1'000'000'000'000L))
+        ->check(WholeNumber(0, 1'000'000'000'000))
         ->excludes(until);
     auto* csv = command->add_option("--csv", run_.csv, "file of energies, momenta, ... against time");
     command->add_option("--every", run_.every, "simulated time between the rows of --csv [s]")
@@ -148,7 +148,8 @@ class CommandLine {
     CLI::App* command = Add("verify", "accuracy against exact solutions", [this] { return Verify(verify_); });
     command->add_option("CASE", verify_.cases, "names of cases; default: all that are quick");
     command->add_flag("--all", verify_.all, "the long ones, too, and more particles");
-    command->add_option("--threads", verify_.threads, "0: as many as there are processors")->check(CLI::Range(0, 4096));
+    command->add_option("--threads", verify_.threads, "0: as many as there are processors")
+        ->check(WholeNumber(0, 4096));
     command->add_flag("--json", verify_.json,
                       "an array of {case, solver, particles, metric, kind, value, bar, holds, order, ladder, ...}");
   }
@@ -164,7 +165,7 @@ class CommandLine {
         ->check(FinitePositive())
         ->capture_default_str();
     command->add_option("--threads", bench_.threads, "of the cases' runs; of one its processor time is taken")
-        ->check(CLI::Range(1, 1024))
+        ->check(WholeNumber(1, 1024))
         ->capture_default_str();
   }
 
@@ -175,10 +176,10 @@ class CommandLine {
     command->add_option("--out", stress_.out, "folder of maps and plots (PNG) and their numbers (CSV)");
     command->add_flag("--quick", stress_.options.quick, "small systems and short runs, about half a minute");
     command->add_option("--count", stress_.options.count, "of starts or random scenes")
-        ->check(CLI::Range(1L, 100'000'000L));
+        ->check(WholeNumber(1, 100'000'000));
     command->add_option("--seed", stress_.options.seed, "of the first of them; default: 1, of random scenes the day's");
     command->add_option("--threads", stress_.options.threads, "0: as many as there are processors")
-        ->check(CLI::Range(0, 4096));
+        ->check(WholeNumber(0, 4096));
     command->add_flag("--json", stress_.json,
                       "an array of {test, what, metric, value, bar, holds, note, wall_seconds}");
   }

@@ -1,5 +1,5 @@
 # What src/run.sh and tests/run.sh share: packages that are there, and a build that is up to date. Sourced, in bash.
-# Works in the current directory, the checkout. All that it says goes to stderr: stdout is the program's.
+# For Debian 12 and 13. Works in the current directory, the checkout. All that it says goes to stderr: stdout is the program's.
 
 say() { printf 'sphlab: %s\n' "$*" >&2; }
 die() { say "$@"; exit 1; }
@@ -62,14 +62,18 @@ install_packages() {
   die "apt-get could not install, in three tries: $missing"
 }
 
-# build PRESET TARGET [tests]: configured if it has to be, compiled if stale. Once configured with tests, it stays so.
+# build PRESET TARGET [tests]: configured if it has to be, compiled if stale. Once configured with tests, it stays so until the
+# presets change.
 build() {
   local dir=build/$1 target=$2 tests=OFF cmake=(cmake --preset "$1")
-  if [[ -e $dir/build.ninja ]] && grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$dir/CMakeCache.txt"; then
+  if [[ -e $dir/build.ninja && ! CMakePresets.json -nt $dir/build.ninja ]] &&
+      grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$dir/CMakeCache.txt"; then
     tests=$(sed -n 's/^SPHLAB_TESTS:BOOL=//p' "$dir/CMakeCache.txt")
-    [[ CMakePresets.json -nt $dir/build.ninja || ( ${3-} && $tests != ON ) ]] || cmake=()
+    [[ ${3-} && $tests != ON ]] || cmake=()
   else
-    cmake+=(--fresh)  # nothing there, half a configuration, or one of a checkout that has moved
+    # Nothing there, half a configuration, one of a checkout that has moved, or older presets: with another compiler in them CMake
+    # would take that and forget the rest.
+    cmake+=(--fresh)
   fi
   [[ ! ${3-} ]] || tests=ON
   if [[ ${#cmake[@]} != 0 ]]; then

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 #include "base/nearest_name.hpp"
 #include "sph/solvers.hpp"
@@ -24,19 +25,18 @@ CLI::Validator SolverName() {
           "NAME"};
 }
 
-/// Digits only: CLI11 would take -1 for the largest number.
-CLI::Validator WholeNumber() {
-  return {[](std::string& text) {
+}  // namespace
+
+CLI::Validator WholeNumber(std::uint64_t least, std::uint64_t greatest) {
+  return {[least, greatest](std::string& text) {
             std::uint64_t value = 0;
             const char* end = text.data() + text.size();
             const auto [rest, error] = std::from_chars(text.data(), end, value);
-            if (error == std::errc() && rest == end) return std::string();
-            return fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
+            if (error == std::errc() && rest == end && value >= least && value <= greatest) return std::string();
+            return fmt::format("'{}' is not a whole number from {} to {}", text, least, greatest);
           },
-          "NUMBER"};
+          fmt::format("{} to {}", least, greatest)};
 }
-
-}  // namespace
 
 CLI::Validator FinitePositive() {
   return {[](std::string& text) {
@@ -56,9 +56,9 @@ void AddSceneOptions(CLI::App& command, SceneRequest& request) {
   command.add_option("--precision", request.precision, "of the passes over neighbours: float or double")
       ->check(CLI::IsMember({"float", "double"}));
   command.add_option("--particles", request.particles, "the same fluid with that many particles")
-      ->check(CLI::Range(std::size_t{1}, kMostParticles));
-  command.add_option("--seed", request.seed, "of the random start")->check(WholeNumber());
-  command.add_option("--threads", request.threads, "0 for one a processor")->check(CLI::Range(0, 1024));
+      ->check(WholeNumber(1, kMostParticles));
+  command.add_option("--seed", request.seed, "of the random start")->check(WholeNumber(0, UINT64_MAX));
+  command.add_option("--threads", request.threads, "0 for one a processor")->check(WholeNumber(0, 1024));
 }
 
 void AddOutputOptions(CLI::App& command, CommonOptions& options) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 
 #include "commands/options.hpp"
 
@@ -14,6 +15,8 @@ void AddOutputOptions(CLI::App& command, CommonOptions& options);
 /// --keys.
 void AddKeysOption(CLI::App& command, CommonOptions& options);
 
+/// Accepts whole numbers within these, in digits only: CLI11 takes -1 for the largest number, and 1_000 from 2.4 on.
+CLI::Validator WholeNumber(std::uint64_t least, std::uint64_t greatest);
 /// Accepts finite numbers > 0 only.
 CLI::Validator FinitePositive();
 

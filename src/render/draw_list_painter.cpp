@@ -37,7 +37,8 @@ void DrawListPainter::Draw(const ImDrawData& data) {
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.Enable(GL_SCISSOR_TEST);
   arrays_.Bind();
-  for (const ImDrawList* list : std::span(data.CmdLists, static_cast<std::size_t>(data.CmdListsCount))) {
+  for (int i = 0; i < data.CmdListsCount; ++i) {
+    const ImDrawList* list = data.CmdLists[i];  // a pointer to them or, from Dear ImGui 1.89.8 on, a vector
     vertices_.Upload(std::span(list->VtxBuffer.Data, static_cast<std::size_t>(list->VtxBuffer.Size)));
     indices_.Upload(std::span(list->IdxBuffer.Data, static_cast<std::size_t>(list->IdxBuffer.Size)));
     SetAttribute(gl_, 0, 2, GL_FLOAT, sizeof(ImDrawVert), offsetof(ImDrawVert, pos));

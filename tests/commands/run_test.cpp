@@ -209,7 +209,7 @@ TEST(Run, GivesTheSameBitsWithAnyNumberOfThreads) {
 }
 
 TEST(Run, FollowsItsSeed) {
-  const std::string first = JsonOf({"dam-break", "--steps", "5", "--seed", "1"})["state_hash"];
+  const json first = JsonOf({"dam-break", "--steps", "5", "--seed", "1"})["state_hash"];
   EXPECT_EQ(first, JsonOf({"dam-break", "--steps", "5", "--seed", "1"})["state_hash"]);
   EXPECT_EQ(first, JsonOf({"dam-break", "--steps", "5"})["state_hash"]) << "seed 1 is the scene's";
   EXPECT_NE(first, JsonOf({"dam-break", "--steps", "5", "--seed", "2"})["state_hash"]);
