@@ -99,21 +99,13 @@ bool StartsInBalance(const Scene& scene, const ParticleSystemSPH& system) {
   return sides && ends;
 }
 
-/// A wall's velocity along itself.
-template <typename AnyWall>
-double GreatestSlide(const AnyWall& wall) {
-  if constexpr (requires { wall.tangential; }) {
-    return std::abs(wall.tangential.mean) + std::abs(wall.tangential.amplitude);
-  } else {
-    return std::abs(wall.slide);
-  }
-}
-
 }  // namespace
 
 double FastestSlide(const Scene& scene) {
   double fastest = 0;
-  for (const Wall& wall : scene.base.walls) fastest = std::max(fastest, GreatestSlide(wall));
+  for (const Wall& wall : scene.base.walls) {
+    fastest = std::max(fastest, std::abs(wall.tangential.mean) + std::abs(wall.tangential.amplitude));
+  }
   return fastest;
 }
 

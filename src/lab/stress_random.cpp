@@ -42,7 +42,8 @@ std::vector<std::string> KindsOf(const Scene& scene) {
   if (scene.base.gravity.x != 0) kinds.push_back("tilted gravity");
   if (scene.base.walls.empty()) return kinds;
   kinds.push_back(name("walls.kind", scene.base.wall.kind));
-  if (scene.base.wall.no_slip && scene.base.wall.SeenByFluid()) kinds.push_back("sticking walls");
+  const auto sticks = [&](const Wall& wall) { return Sticks(wall, scene.base.wall); };
+  if (std::ranges::any_of(scene.base.walls, sticks)) kinds.push_back("sticking walls");
   if (FastestSlide(scene) > 0) kinds.push_back("sliding walls");
   return kinds;
 }

@@ -174,11 +174,15 @@ void CheckControls(const Scene& scene, const std::string& source) {
 
 }  // namespace
 
-void CheckWhole(const Scene& scene, const std::string& source) {
+void CheckFluid(const Scene& scene, const std::string& source) {
   CheckRegion(scene, source);
+  CheckEquation(scene, source);
+}
+
+void CheckWhole(const Scene& scene, const std::string& source) {
+  CheckFluid(scene, source);
   CheckSettling(scene, source);
   CheckSpacing(scene, source);
-  CheckEquation(scene, source);
   if (scene.reference == Reference::kStaticStar && !scene.star) {
     throw UsageError("{}: reference = 'static-star' needs forces.star", source);
   }

@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest_name.hpp"
+#include "scenes/method_rules.hpp"
 #include "scenes/scene_checks.hpp"
 #include "scenes/scene_keys.hpp"
 #include "scenes/value.hpp"
@@ -92,6 +93,12 @@ class SceneReader {
       }
     }
     for (const std::string group : {"equation_of_state.", "fluid.region."}) CheckOneOf(group);
+  }
+
+  GivenKeys Given() const {
+    GivenKeys keys;
+    for (const auto& [path, place] : given_) keys.insert(path);
+    return keys;
   }
 
   /// UsageError naming a key that was given and that the scene's solver does not use.
@@ -269,9 +276,18 @@ Scene ParseScene(const std::string& text, const std::string& source, std::span<c
   reader.CheckComplete();
   reader.CheckUsed();
   reader.CheckControlsUsed();
+  const std::string own_solver = scene.solver;
   SceneReader setter(scene, "--set");
   for (const std::string& setting : settings) setter.Read(ParseSetting(setting));
   setter.CheckUsed();  // by the solver that may be among them
+  GivenKeys given = setter.Given();
+  // What a scene says of its own solver's resolution is not said of another's.
+  for (const std::string& key : reader.Given()) {
+    const bool of_resolution = key == "method.smoothing_length" || key == "method.step" || key == "method.time_step";
+    if (scene.solver == own_solver || !of_resolution) given.insert(key);
+  }
+  CheckFluid(scene, source);
+  CompleteMethod(scene, given);
   CheckWhole(scene, source);
   return scene;
 }

@@ -7,8 +7,8 @@ namespace sph {
 
 Delta::Delta(const Parameters& base, const ParametersSPH& sph)
     : ParticleSystemSPH(base, sph),
-      lattice_(SumsOnLattices(sph.delta.kernel,
-                              SupportOf(sph.delta.kernel) * sph.smoothing_length / InitialSpacing())) {
+      lattice_(
+          SumsOnLattices(sph.delta.kernel, SupportOf(sph.delta.kernel) * sph.smoothing_length / InitialSpacing())) {
   if (sph.precision == Precision::kDouble) {
     arrays_ = Arrays<double>();
     surface_ = SurfaceArrays<double>();
@@ -173,8 +173,7 @@ void Delta::AdvanceDensity() {
         CopyPressureToImages(arrays);
         SetWallParticles(fluid, arrays, sides);
         ForEachBlock([&](const ListBlock& block) {
-          ComputeDensityRates<Real>(InputOf(fluid), WaterOf(arrays), block,
-                                    {arrays.rate.data(), arrays.strain.data()});
+          ComputeDensityRates<Real>(InputOf(fluid), WaterOf(arrays), block, {arrays.rate.data(), arrays.strain.data()});
           const auto [first, last] = ParticlesOf(block);
           bool in_order = true;
           for (std::size_t i = first; i < last; ++i) {
@@ -257,9 +256,9 @@ void Delta::ComputeWaterForces() {
         CopyVelocitiesToImages(arrays, sides);
         CopyPressureToImages(arrays);
         SetWallParticles(fluid, arrays, sides);
-        const WaterSums<Real> sums{arrays.gradient_x.data(),     arrays.gradient_y.data(),    arrays.next_wholeness.data(),
-                                   arrays.shift_x.data(),        arrays.shift_y.data(),
-                                   arrays.concentration.data(), arrays.covered.data()};
+        const WaterSums<Real> sums{arrays.gradient_x.data(), arrays.gradient_y.data(), arrays.next_wholeness.data(),
+                                   arrays.shift_x.data(),    arrays.shift_y.data(),    arrays.concentration.data(),
+                                   arrays.covered.data()};
         ForEachBlock([&](ListBlock& block) {
           const auto [first, last] = ParticlesOf(block);
           ClearAccelerations(first, last);
@@ -321,9 +320,9 @@ void Delta::AfterStep() {
 }
 
 /// Shifts particles towards where they are missing, as Sun et al. do [2017, eq. 7], but with another speed: disorder
-/// comes of the strain, so that they go by -dt K S R^2 sum. As fast as fluid a support away moves against them [as in J.
-/// Michel et al., J. Comput. Phys. 459 (2022) 110999, eq. 20], this vanishes with the spacing, and in water at rest. A
-/// twentieth of a spacing at most.
+/// comes of the strain, so that they go by -dt K S R^2 sum. As fast as fluid a support away moves against them [as in
+/// J. Michel et al., J. Comput. Phys. 459 (2022) 110999, eq. 20], this vanishes with the spacing, and in water at rest.
+/// A twentieth of a spacing at most.
 void Delta::Shift() {
   const double strength = parameters_sph.delta.shifting ? 6 : 0;
   Particles& p = particles_;

@@ -11,9 +11,9 @@ namespace {
 /// As KernelProperties::spread, of the weights of the viscous force.
 constexpr double kSepticSpread = 0.081;
 
-/// The same of the density's diffusion with that delta, where leapfrog takes sound at once. Waves that diffusion damps most, at
-/// the rate d delta, are slow, and those that swing fastest are damped by d' delta, as the gradients take most of it away: on lattices 1.07 delta
-/// keeps the joint limit of both up to delta = 0.2, and beyond the first alone do.
+/// The same of the density's diffusion with that delta, where leapfrog takes sound at once. Waves that diffusion damps
+/// most, at the rate d delta, are slow, and those that swing fastest are damped by d' delta, as the gradients take most
+/// of it away: on lattices 1.07 delta keeps the joint limit of both up to delta = 0.2, and beyond the first alone do.
 double DiffusiveStep(double delta, double spread) {
   constexpr double kOfSound = 1.07, kUpTo = 0.2;
   const double alone = 1 / spread;
@@ -38,7 +38,8 @@ std::vector<StepLimit> Delta::StepLimits() const {
   const double half2 = 0.25 * Support() * Support();
   const double h_c = parameters_sph.smoothing_length * Sound();
   const double spreading = delta.diffusion * h_c;
-  if (spreading > 0) limits.push_back({"density diffusion", DiffusiveStep(delta.diffusion, kernel.spread) * half2 / spreading, true});
+  if (spreading > 0)
+    limits.push_back({"density diffusion", DiffusiveStep(delta.diffusion, kernel.spread) * half2 / spreading, true});
   // Leapfrog with the rate of half a step before is stable for (w dt)^2 + 2 alpha h c k^2 dt < 4, w = c k.
   const double damping = delta.sound_damping * h_c;
   if (damping > 0) {

@@ -59,7 +59,7 @@ void Rates(const PassInput<Real>& input, const WaterInput<Real>& water, const Li
     const auto vx = own(water.vx), vy = own(water.vy), excess = own(water.excess);
     const auto gx = hn::Mul(own(water.gradient_x), half_unit), gy = hn::Mul(own(water.gradient_y), half_unit);
     auto diffusion = zero, stretch = zero;
-    auto xx = zero, xy = zero, yy = zero;                  // sum w r (x) r
+    auto xx = zero, xy = zero, yy = zero;                       // sum w r (x) r
     auto ux = zero, uy = zero, shear_x = zero, shear_y = zero;  // sum w du dx, dv dy, du dy, dv dx
     pairs.ForEach(cluster, block.Of(k), [&](std::uint32_t j, auto dx, auto dy, auto r2) HWY_ATTR {
       const auto weight = hn::Mul(kernel.NegativeSlopeOverR(r2), hn::Set(d, water.volume[j]));
@@ -202,7 +202,8 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
   const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<Real>(value)); };
   const auto one = set(1), zero = hn::Zero(d);
   const SepticLaplacianLanes<decltype(d)> laplacian(d, pairs.Support());
-  const auto push_factor = set(slope * water.gradient_flat), drag_factor = set(2 * water.viscosity * laplacian.Factor(input.support));
+  const auto push_factor = set(slope * water.gradient_flat),
+             drag_factor = set(2 * water.viscosity * laplacian.Factor(input.support));
   const double brake = water.artificial / water.gradient_flat;  // it has no part in these weights
   const auto brake_factor = set(brake / (unit * kernel.Factor() * kernel.Factor()));
   const auto square_of = [](auto value) HWY_ATTR { return hn::Mul(value, value); };

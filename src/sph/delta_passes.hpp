@@ -48,8 +48,8 @@ struct WaterInput {
 template <typename Real>
 struct DensitySums {
   Real* rate = nullptr;  ///< of density [kg/(m^3 s)]
-  /// S = sqrt(sum_j V_j (-W'/r) ((u_j - u_i).r_ji)^2/variance) [1/s]: sqrt(2 D:D) of a linear flow without divergence, D
-  /// being the rate of strain.
+  /// S = sqrt(sum_j V_j (-W'/r) ((u_j - u_i).r_ji)^2/variance) [1/s]: sqrt(2 D:D) of a linear flow without divergence,
+  /// D being the rate of strain.
   Real* strain = nullptr;
 };
 
@@ -83,9 +83,9 @@ struct WaterSums {
 ///   -1/rho_i sum_j V_j (p_j +- p_i) grad W                                [minus: Sun et al. 2017, tensile control]
 ///   + 2 mu/rho_i sum_j V_j (u_j - u_i) w(r)                               [Morris, Fox & Zhu 1997, eq. 22]
 ///   + alpha h c rho0/rho_i sum_j V_j (u_j - u_i).r_ji/|r_ji|^2 grad W     [Monaghan & Gingold 1983]
-/// and computes `sums`. w is -W'/r of the septic spline of the same support, times A - B s^2, which takes away its fourth
-/// moment: a Laplacian of fourth order whose sums over lattices are right to 5e-4 (see SepticSpline). Lists that are
-/// coarse become shorter.
+/// and computes `sums`. w is -W'/r of the septic spline of the same support, times A - B s^2, which takes away its
+/// fourth moment: a Laplacian of fourth order whose sums over lattices are right to 5e-4 (see SepticSpline). Lists that
+/// are coarse become shorter.
 template <typename Real>
 void AddWaterForces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlock& block, double* ax,
                     double* ay, const WaterSums<Real>& sums);

@@ -28,7 +28,7 @@ bool IsKnown(const ParticleSystemSPH& system) {
   const Periods& periods = system.parameters_sph.periods;
   const Vec2 g = parameters.gravity;
   const bool driven = (periods.in_x && g.x != 0) || (periods.in_y && g.y != 0) ||
-                      std::ranges::any_of(parameters.walls, [](const Wall& wall) { return wall.slide != 0; });
+                      std::ranges::any_of(parameters.walls, [](const Wall& wall) { return wall.tangential.Any(); });
   const ParametersSPH& sph = system.parameters_sph;
   return !driven && !sph.mueller_published && sph.delta.surface_tension == 0;
 }

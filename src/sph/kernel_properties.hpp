@@ -9,12 +9,12 @@ namespace sph {
 /// which h counts there: it is h but for the quintic spline.
 struct KernelProperties {
   const char* name;
-  double variance;     ///< of W, of one coordinate
-  double flat, fall;   ///< W'/r (flat - fall s^2), s = r/R, has the second moment of W'/r and no fourth one
-  double water_step;   ///< greatest stable c dt: 2/max(K W(K)) of the kernel's Fourier transform
-  double gas_step;     ///< the same for P = rho c^2/2
-  double spread;       ///< 1/max(sum V (-W'/r)(1 - cos k.x)) on square lattices, least for spacings from 1/1.6 to 1/2.8
-  double along_spread; ///< 2/max of the greater eigenvalue of sum V (-W'/r) (r r^T/r^2)(1 - cos k.x): along pairs
+  double variance;    ///< of W, of one coordinate
+  double flat, fall;  ///< W'/r (flat - fall s^2), s = r/R, has the second moment of W'/r and no fourth one
+  double water_step;  ///< greatest stable c dt: 2/max(K W(K)) of the kernel's Fourier transform
+  double gas_step;    ///< the same for P = rho c^2/2
+  double spread;      ///< 1/max(sum V (-W'/r)(1 - cos k.x)) on square lattices, least for spacings from 1/1.6 to 1/2.8
+  double along_spread;  ///< 2/max of the greater eigenvalue of sum V (-W'/r) (r r^T/r^2)(1 - cos k.x): along pairs
 };
 
 const KernelProperties& PropertiesOf(SmoothingKernel kernel);

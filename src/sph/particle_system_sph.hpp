@@ -28,12 +28,12 @@ enum class ViscousForm {
 /// Of solver delta.
 struct DeltaParameters {
   SmoothingKernel kernel = SmoothingKernel::kWendlandC2;
-  double diffusion = 0.1;           ///< delta, of density in a liquid
+  double diffusion = 0.2;           ///< delta, of density in a liquid
   double artificial_viscosity = 0;  ///< alpha, in a liquid
   ViscousForm viscous_form = ViscousForm::kLaplacian;
-  double sound_damping = 0;     ///< alpha of a bulk viscosity alpha h c rho0, in a liquid
-  double surface_tension = 0;   ///< sigma [N], of a liquid
-  bool shifting = true;         ///< of the particles of a liquid
+  double sound_damping = 0.3;    ///< alpha of a bulk viscosity alpha h c rho0, in a liquid
+  double surface_tension = 0;    ///< sigma [N], of a liquid
+  bool shifting = true;          ///< of the particles of a liquid
   bool tensile_control = false;  ///< particles of a liquid do not pull at each other; this costs conservation
   /// Of pressure in a liquid, to fourth order where particles fill the support. It is not the divergence's adjoint, so
   /// that at a free surface energy is not kept.

@@ -17,8 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace sph {
 namespace HWY_NAMESPACE {
 
-/// SepticSpline's -W'/r (kFlat - kFall s^2), s = r/R: with q = 4s, ((4-q)^6 - 8 (3-q)^6 + 28 (2-q)^6 - 56 (1-q)^6)/q, each
-/// power only where its base is positive, times the bracket.
+/// SepticSpline's -W'/r (kFlat - kFall s^2), s = r/R: with q = 4s, ((4-q)^6 - 8 (3-q)^6 + 28 (2-q)^6 - 56 (1-q)^6)/q,
+/// each power only where its base is positive, times the bracket.
 template <class D>
 class SepticLaplacianLanes {
  public:
