@@ -324,7 +324,7 @@ void Delta::AfterStep() {
 /// J. Michel et al., J. Comput. Phys. 459 (2022) 110999, eq. 20], this vanishes with the spacing, and in water at rest.
 /// A twentieth of a spacing at most.
 void Delta::Shift() {
-  const double strength = parameters_sph.delta.shifting ? 6 : 0;
+  const double strength = parameters_sph.delta.shifting ? 7 : 0;
   Particles& p = particles_;
   const double longest = 0.05 * InitialSpacing();
   const double factor = strength * Support() * Support() * LastStep();
