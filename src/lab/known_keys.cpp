@@ -71,8 +71,4 @@ const std::vector<std::string>& ChoicesOf(std::string_view key) {
   return known->choices;
 }
 
-bool WallsHaveKey(std::string_view name) {
-  return std::ranges::any_of(AllWallKeys(), [&](const WallKey& key) { return key.name == name; });
-}
-
 }  // namespace sph

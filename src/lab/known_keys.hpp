@@ -24,7 +24,4 @@ const std::vector<KnownKey>& KnownKeys();
 /// The names that a key takes, in the order of its message.
 const std::vector<std::string>& ChoicesOf(std::string_view key);
 
-/// Whether a [[wall]] has a key of that name.
-bool WallsHaveKey(std::string_view name);
-
 }  // namespace sph

@@ -125,21 +125,21 @@ std::vector<std::string> SeenKinds() {
 std::string SeenWalls(Dice& dice, const std::string& kind, std::vector<PlannedWall> walls, double slide_speed,
                       bool sticks) {
   const std::vector<std::string>& slips = ChoicesOf("walls.slip");  // the free one first
-  const bool own_slip = WallsHaveKey("slip");
-  const std::string slide_key = WallsHaveKey("tangential_velocity") ? "tangential_velocity" : "slide";
   for (PlannedWall& wall : walls) {
     bool stuck = sticks;
-    if (own_slip && dice.Chance(0.3)) {
+    if (dice.Chance(0.3)) {
       stuck = !stuck;
       wall.more += SetName("slip", slips[stuck ? 1 : 0]);
     }
     if (!stuck || slide_speed == 0 || dice.Chance(0.4)) continue;
     const double speed = (dice.Chance(0.5) ? 1 : -1) * slide_speed;
-    const bool swings = slide_key != "slide" && dice.Chance(0.3);
-    wall.more += swings
-                     ? fmt::format("{} = {{ mean = 0.0, amplitude = {:.16e}, frequency = {:.16e}, phase = {:.16e} }}\n",
-                                   slide_key, speed, slide_speed * dice.Scale(0.3, 30), dice.Uniform(0, 6))
-                     : Set(slide_key, speed);
+    const bool swings = dice.Chance(0.3);
+    wall.more +=
+        swings
+            ? fmt::format(
+                  "tangential_velocity = {{ mean = 0.0, amplitude = {:.16e}, frequency = {:.16e}, phase = {:.16e} }}\n",
+                  speed, slide_speed * dice.Scale(0.3, 30), dice.Uniform(0, 6))
+            : Set("tangential_velocity", speed);
   }
   return SetName("walls.kind", kind) + SetName("walls.slip", slips[sticks ? 1 : 0]) + Walls(walls);
 }

@@ -10,6 +10,12 @@ namespace {
 
 bool IsGas(const Scene& scene) { return ReferenceDensity(scene.sph.equation_of_state) <= 0; }
 
+/// Of the particles as they start; where they stand on no lattice, its spacing says nothing.
+double SpacingAtStart(const Block& fluid) {
+  const bool lattice = fluid.arrange != Arrangement::kRandom && fluid.arrange != Arrangement::kRelaxed;
+  return lattice ? Spacing(fluid) : std::sqrt(fluid.region.Area() / static_cast<double>(fluid.particles));
+}
+
 /// The smoothing length over the spacing. A gas whose density varies has fewer neighbours where it is thin.
 double UsualRatio(const Scene& scene) {
   constexpr double kOfGas = 2.4;
@@ -18,7 +24,7 @@ double UsualRatio(const Scene& scene) {
 
 /// Of the fluid as it is placed [m/s].
 double SoundAtStart(const Scene& scene) {
-  const double spacing = Spacing(scene.base.fluid);
+  const double spacing = SpacingAtStart(scene.base.fluid);
   const double density =
       IsGas(scene) ? scene.base.particle_mass / (spacing * spacing) : ReferenceDensity(scene.sph.equation_of_state);
   return std::visit([&](const auto& equation) { return equation.SoundSpeed(density); }, scene.sph.equation_of_state);
@@ -39,7 +45,7 @@ bool IsClosed(const Scene& scene) {
   if (periods.in_y) room.y0 = periods.box.y0, room.y1 = periods.box.y1;
   const double gap =
       std::max({region.box.x0 - room.x0, room.x1 - region.box.x1, region.box.y0 - room.y0, room.y1 - region.box.y1});
-  return gap < 0.5 * Spacing(scene.base.fluid);
+  return gap < 0.5 * SpacingAtStart(scene.base.fluid);
 }
 
 void CompleteMethod(Scene& scene, const GivenKeys& given) {
@@ -51,7 +57,7 @@ void CompleteMethod(Scene& scene, const GivenKeys& given) {
   if (open("method.viscous_form")) delta.viscous_form = closed ? ViscousForm::kLaplacian : ViscousForm::kStress;
   if (open("method.sharp_gradient")) delta.sharp_gradient = closed;
   if (open("method.smoothing_length")) {
-    sph.smoothing_length = UsualRatio(scene) * Spacing(scene.base.fluid);
+    sph.smoothing_length = UsualRatio(scene) * SpacingAtStart(scene.base.fluid);
   }
   if (open("method.step")) scene.base.adaptive_step = scene.solver == "delta" || open("method.time_step");
   if (open("method.time_step")) {

@@ -181,7 +181,7 @@ title = "carried along"
 solver = "delta"
 fluid = { particles = 196, mass = 5.1020408163265307, arrange = "lattice", region = { box = [0.0, 0.0, 1.0, 1.0] } }
 equation_of_state.ideal_gas = { k = 10000.0, rho0 = 1000.0 }
-method = { kernel = "wendland-c2", smoothing_length = 0.1, time_step = 0.0005 }
+method = { kernel = "wendland-c2", smoothing_length = 0.1, step = "fixed", time_step = 0.0005 }
 forces.gravity = [3.0, 0.0]
 periodic = { box = [0.0, 0.0, 1.0, 1.0], directions = "both" }
 )",

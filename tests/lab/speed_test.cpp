@@ -46,7 +46,7 @@ TEST(SpeedFlow, CollapseIsMeasuredWhileTheWaterRuns) {
 }
 
 TEST(SpeedFlow, SoundIsTenTimesAsFastAsShallowWater) {
-  const auto system = MakeSystem(SpeedScene(Flow::kTank, 100, Precision::kDouble));
+  const auto system = MakeSystem(SpeedScene(Flow::kTank, 200, Precision::kDouble));
   EXPECT_NEAR(SoundSpeed(*system) * TimeScale(), 10, 1e-9);  // H = 1 m
   const double h = system->parameters_sph.smoothing_length;
   EXPECT_NEAR(h / system->InitialSpacing(), 1.3, 1e-9);

@@ -25,7 +25,7 @@ TEST(LoadScene, GrantsEveryWish) {
   EXPECT_EQ(scene.base.motion_damping, 3);
   EXPECT_EQ(scene.solver, "mueller") << "--solver goes before --set solver";
   EXPECT_EQ(scene.base.fluid.particles, 400u);
-  EXPECT_EQ(scene.sph.smoothing_length, 0.1) << "half of the file's: four times the particles";
+  EXPECT_DOUBLE_EQ(scene.sph.smoothing_length, 1.75 * 0.05) << "usual for that solver; the file's is another's";
   EXPECT_EQ(scene.base.seed, 42u);
   EXPECT_EQ(scene.base.threads, 5);
 }

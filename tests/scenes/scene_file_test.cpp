@@ -94,7 +94,6 @@ TEST(ReadScene, RefusesMissingKeysByName) {
   ExpectRefusals({
       {"title = \"Test\"\n", "", {"FILE: the key 'title' is missing"}},
       {"mass = 0.01\n", "", {"FILE: the key 'fluid.mass' is missing", "kg/m"}},
-      {"time_step = 0.001\n", "", {"'method.time_step' is missing"}},
       {"name = \"floor\"\n", "", {"FILE:11:", "'wall.name' is missing"}},
       {"fluid = \"above\"\n", "", {"FILE:11:", "'wall.fluid' is missing"}},
   });
