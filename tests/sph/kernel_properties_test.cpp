@@ -103,8 +103,8 @@ TEST(KernelProperties, StepsOfSoundAreThoseOfTheKernelsTransform) {
     }
     const KernelProperties& known = PropertiesOf(kernel);
     SCOPED_TRACE(known.name);
-    EXPECT_NEAR(known.water_step / (2 / of_water), 1, 0.005);  // three digits
-    EXPECT_NEAR(known.gas_step / (2 / of_gas), 1, 0.005);
+    EXPECT_NEAR(known.water_step / (2 / of_water), 1, 0.01);  // known to three digits, of which the last is not sure
+    EXPECT_NEAR(known.gas_step / (2 / of_gas), 1, 0.01);
   }
 }
 
@@ -116,7 +116,7 @@ TEST(KernelProperties, SpreadsAreTheLeastOfWavesOnSquareLattices) {
       return Spread(lattice, k, [&](double r) { return Push(kernel, r); });
     });
     EXPECT_LE(known.spread, least);
-    EXPECT_GT(known.spread, 0.95 * least);  // two digits
+    EXPECT_GT(known.spread, 0.999 * least);
     const double along = LeastStep(false, [&](const Lattice& lattice, Vec2 k) {
       const auto part = [&](auto of) {
         return lattice.Sum(
@@ -127,7 +127,7 @@ TEST(KernelProperties, SpreadsAreTheLeastOfWavesOnSquareLattices) {
       return 0.5 * (0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy));
     });
     EXPECT_LE(known.along_spread, along);
-    EXPECT_GT(known.along_spread, 0.95 * along);
+    EXPECT_GT(known.along_spread, 0.95 * along);  // two digits
   }
 }
 
@@ -202,8 +202,7 @@ TEST(StepLimits, OfViscosityAreThoseOfWavesOnLattices) {
     // d = 2 nu times the sum, d dt < 2, and half of that as velocities are extrapolated.
     const StepLimit limit = Named(liquid.Limits(), "viscosity");
     EXPECT_TRUE(limit.damping);
-    EXPECT_LE(limit.seconds, 0.5 * least / 3);
-    EXPECT_GT(limit.seconds, 0.95 * 0.5 * least / 3);
+    EXPECT_NEAR(limit.seconds / (0.5 * least / 3), 1, 0.005) << "two digits";
   }
 }
 
@@ -227,7 +226,7 @@ double StableStep(SmoothingKernel kernel, double diffusion, const Lattice& latti
 
 TEST(StepLimits, OfSoundAndDiffusionTogetherAreNeverLongerThanLatticesKeep) {
   for (const SmoothingKernel kernel : kAllKernels) {
-    for (const double delta : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5, 1.0}) {
+    for (const double delta : {0.02, 0.05, 0.1, 0.15, 0.17, 0.18, 0.19, 0.2, 0.25, 0.3, 0.5, 1.0}) {
       Liquid liquid(kernel);
       liquid.sph.delta.diffusion = delta;
       const auto limits = liquid.Limits();
