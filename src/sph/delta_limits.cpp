@@ -11,13 +11,12 @@ namespace {
 /// As KernelProperties::spread, of the weights of the viscous force.
 constexpr double kSepticSpread = 0.081;
 
-/// The same of the density's diffusion with that delta, where leapfrog takes sound at once. Waves that diffusion damps
-/// most, at the rate d delta, are slow, and those that swing fastest are damped by d' delta, as the gradients take most
-/// of it away: on lattices 1.07 delta keeps the joint limit of both up to delta = 0.2, and beyond the first alone do.
-double DiffusiveStep(double delta, double spread) {
-  constexpr double kOfSound = 1.07, kUpTo = 0.2;
-  const double alone = 1 / spread;
-  return 1 / std::max(kOfSound, alone - (alone - kOfSound) * kUpTo / std::max(delta, kUpTo));
+/// The same of the density's diffusion with that delta (of half a support radius), where leapfrog takes sound at once.
+/// Waves that swing fastest are damped less than others, as the gradients take most of it away; those that diffusion
+/// damps most are slow, and keep the step that they would keep alone: spread/delta.
+double DiffusiveStep(double delta, double sound_step, const KernelProperties& kernel) {
+  const double alone = kernel.spread / (delta * sound_step);
+  return 1 / std::max(kernel.damped_sound, (1 - alone * alone) / kernel.spread);
 }
 
 }  // namespace
@@ -38,8 +37,10 @@ std::vector<StepLimit> Delta::StepLimits() const {
   const double half2 = 0.25 * Support() * Support();
   const double h_c = parameters_sph.smoothing_length * Sound();
   const double spreading = delta.diffusion * h_c;
-  if (spreading > 0)
-    limits.push_back({"density diffusion", DiffusiveStep(delta.diffusion, kernel.spread) * half2 / spreading, true});
+  if (spreading > 0) {
+    const double step = DiffusiveStep(spreading / (0.5 * Support() * Sound()), StableSoundStep(), kernel);
+    limits.push_back({"density diffusion", step * half2 / spreading, true});
+  }
   // Leapfrog with the rate of half a step before is stable for (w dt)^2 + 2 alpha h c k^2 dt < 4, w = c k.
   const double damping = delta.sound_damping * h_c;
   if (damping > 0) {

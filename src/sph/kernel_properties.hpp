@@ -14,6 +14,7 @@ struct KernelProperties {
   double water_step;  ///< greatest stable c dt: 2/max(K W(K)) of the kernel's Fourier transform
   double gas_step;    ///< the same for P = rho c^2/2
   double spread;      ///< 1/max(sum V (-W'/r)(1 - cos k.x)) on square lattices, least for spacings from 1/1.6 to 1/2.8
+  double damped_sound;  ///< d/delta such that w^2 dt^2/4 + d dt/2 < 1 for sound on lattices that diffusion damps
   double along_spread;  ///< 2/max of the greater eigenvalue of sum V (-W'/r) (r r^T/r^2)(1 - cos k.x): along pairs
 };
 

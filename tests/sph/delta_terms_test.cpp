@@ -35,6 +35,7 @@ struct Water {
     sph.smoothing_length = 2.8 / kAcross;
     sph.equation_of_state = IdealGas{kSound * kSound, 1};
     sph.delta.diffusion = 0;
+    sph.delta.sound_damping = 0;
     sph.delta.shifting = false;
     sph.delta.tensile_control = false;
   }

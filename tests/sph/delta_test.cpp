@@ -33,6 +33,7 @@ struct Water {
     sph.smoothing_length = 0.1;
     sph.equation_of_state = IdealGas{100, 1};
     sph.delta.diffusion = 0;
+    sph.delta.sound_damping = 0;
     sph.delta.shifting = false;
     sph.delta.tensile_control = false;
     sph.periods = {kTile, true, true};

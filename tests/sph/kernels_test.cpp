@@ -139,6 +139,81 @@ TEST(QuinticSpline, FallsAllTheWayAndEndsAtThreeH) {
   }
 }
 
+TEST(SepticSpline, IntegratesToOneOverThePlane) {
+  const SepticSpline kernel(kH);  // polynomials of degree 8 between knots: the rule is exact on each
+  EXPECT_NEAR(sph::Integral([&](double r) { return 2 * pi * r * kernel.Value(r); }, 0, 4 * kH, 4), 1, 1e-13);
+}
+
+TEST(SepticSpline, GradientIsTheValuesDerivativeOverR) {
+  const SepticSpline kernel(kH);
+  const double scale = kernel.Value(0) / kH;
+  for (const double r : Distances(4 * kH)) EXPECT_NEAR(kernel.Gradient(r) * r, Slope(kernel, r), 1e-9 * scale) << r;
+}
+
+TEST(SepticSpline, IsTheBSplineOfEighthDifferences) {
+  const SepticSpline kernel(kH);
+  const double binomials[] = {1, 8, 28, 56, 70, 56, 28, 8, 1};
+  for (const double q : {0.1, 0.8, 1.3, 2.6, 3.5}) {
+    const auto spline = [&](double x) {
+      double sum = 0;
+      for (int k = 0; k <= 8; ++k) {
+        sum += (k % 2 == 0 ? 1 : -1) * binomials[k] * std::pow(std::max(0.0, x + 4 - k), 7);
+      }
+      return sum;
+    };
+    EXPECT_NEAR(kernel.Value(q * kH) / kernel.Value(0), spline(q) / spline(0), 1e-11) << q;
+  }
+}
+
+TEST(SepticSpline, FallsAllTheWayAndEndsAtFourH) {
+  const SepticSpline kernel(kH);
+  for (int k = 0; k < 400; ++k) {
+    EXPECT_GT(kernel.Value(0.01 * k * kH), kernel.Value(0.01 * (k + 1) * kH)) << k;
+    EXPECT_LT(kernel.Gradient((0.01 * k + 0.001) * kH), 0) << k;
+  }
+  for (const double r : {4 * kH, std::nextafter(4 * kH, 10), 1e100}) {
+    EXPECT_EQ(kernel.Value(r), 0) << r;
+    EXPECT_EQ(kernel.Gradient(r), 0) << r;
+  }
+}
+
+/// W'/r (kFlat - kFall s^2), s = r/R.
+double SharpSlope(const SepticSpline& kernel, double r, double support) {
+  return kernel.Gradient(r) * (SepticSpline::kFlat - SepticSpline::kFall * std::pow(r / support, 2));
+}
+
+TEST(SepticSpline, SharpSlopeHasTheSecondMomentOfTheSlopeAndNoFourth) {
+  const SepticSpline kernel(kH);
+  const auto moment = [&](int power, const auto& slope) {
+    // On each piece a polynomial of degree 12 at most; two panels each bring the rule's error below round-off.
+    return sph::Integral([&](double r) { return 2 * pi * r * std::pow(r / kH, power) * slope(r); }, 0, 4 * kH, 16);
+  };
+  const auto plain = [&](double r) { return kernel.Gradient(r); };
+  const auto sharp = [&](double r) { return SharpSlope(kernel, r, 4 * kH); };
+  const double second = moment(2, plain);
+  EXPECT_NEAR(second, -2 / (kH * kH), 1e-11);  // by parts: -2 times the integral of W
+  EXPECT_NEAR(moment(2, sharp) / second, 1, 1e-12);
+  EXPECT_NEAR(moment(4, sharp) / moment(4, plain), 0, 1e-12);
+}
+
+TEST(SepticSpline, OnLatticesOfItsOwnSpacingSumsToFourDigits) {
+  const SepticSpline kernel(1);
+  for (const bool hexagonal : {false, true}) {
+    const double pitch = hexagonal ? std::sqrt(2 / std::numbers::sqrt3) : 1, row_pitch = 1 / pitch;
+    double sum = kernel.Value(0), second = 0;
+    for (int row = -6; row <= 6; ++row) {
+      for (int column = -9; column <= 9; ++column) {
+        const double x = (column + (hexagonal ? 0.5 * row : 0)) * pitch, y = row * row_pitch;
+        if (row == 0 && column == 0) continue;
+        sum += kernel.Value(std::hypot(x, y));
+        second -= 0.5 * (x * x + y * y) * SharpSlope(kernel, std::hypot(x, y), 4);
+      }
+    }
+    EXPECT_NEAR(sum, 1, 5e-4) << hexagonal;
+    EXPECT_NEAR(second, 1, 5e-4) << hexagonal;
+  }
+}
+
 template <typename Kernel>
 class Wendland : public ::testing::Test {};
 using Wendlands = ::testing::Types<WendlandC2, WendlandC4>;
@@ -258,6 +333,7 @@ TEST(Kernels, RefuseASmoothingLengthThatIsNotPositive) {
   EXPECT_DEATH(WendlandC2(0), "h = 0");
   EXPECT_DEATH(WendlandC4(-2), "h = -2");
   EXPECT_DEATH(QuinticSpline(0), "h = 0");
+  EXPECT_DEATH(SepticSpline(0), "h = 0");
   EXPECT_DEATH(Spiky{std::nan("")}, "h = nan");
   EXPECT_DEATH(ViscosityKernel(0), "h = 0");
 }

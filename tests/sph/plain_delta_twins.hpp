@@ -27,7 +27,9 @@ struct PlainWater {
   double rho0 = 1;
   double diffusion = 0, viscosity = 0, artificial = 0;
   double spacing = 0.5 * kCloudH;
-  bool sharp_gradient = false, tensile_control = true;
+  double variance = 0.3 * kCloudH * kCloudH;  // no kernel's
+  double gradient_flat = 1, gradient_fall = 0;
+  bool tensile_control = true;
   std::vector<double> excess, pressure, gradient_x, gradient_y, wholeness;
 
   double Density(std::size_t i) const { return rho0 + excess[i]; }
@@ -39,20 +41,34 @@ struct SharpWeights {
 };
 SharpWeights SharpWeightsOf(SmoothingKernel kernel);
 
-/// drho_i/dt; value.x is the rate.
-std::vector<PlainSum> PlainDensityRates(const Cloud& cloud, const PlainWater& water);
+/// Variance of W, of one coordinate [m^2]: by quadrature.
+double VarianceOf(SmoothingKernel kernel, double h);
+
+/// -W'/r (A - B s^2) [1/m^4] of the septic spline whose support is 2h, the viscous force's weights.
+double ViscousWeightAt(double h, double r);
+
+struct PlainRates {
+  PlainSum rate;         ///< drho_i/dt is value.x
+  double strain = 0;     ///< [1/s]
+  double wholeness = 0;  ///< by which the divergence's form is chosen
+  double greatest = 0;   ///< the greater eigenvalue
+};
+std::vector<PlainRates> PlainDensityRates(const Cloud& cloud, const PlainWater& water);
 
 /// dv_i/dt by pressure, viscosity and artificial viscosity.
 std::vector<PlainSum> PlainWaterForces(const Cloud& cloud, const PlainWater& water);
 
 /// What a particle knows of its surroundings, before thresholds are applied.
 struct PlainSurroundings {
-  double xx = 0, xy = 0, yy = 0;      ///< sum_j V_j (x_j - x_i) (x) grad W
-  double greatest = 0;                ///< greater eigenvalue of that matrix
+  double greatest = 0;                ///< greater eigenvalue of sum_j V_j (x_j - x_i) (x) grad W
   double wholeness = 0;               ///< lesser one
   PlainSum rise, fall;                ///< sum_j V_j (f_j - f_i) grad W of excess density and of wholeness
-  Vec2 gradient, wholeness_gradient;  ///< both times the inverse matrix, whatever its determinant
+  Vec2 gradient, wholeness_gradient;  ///< both times the inverse of that matrix, whatever its determinant
   PlainSum lack;                      ///< sum_j V_j [1 + 0.2 (W/W(dx))^4] grad W
+  PlainSum near;                      ///< sum_j V_j [1 - (r/(0.7 dx))^2] grad W over those closer than 0.7 dx
+  double concentration = 0;           ///< sum_j V_j W
+  double covered = 1;                 ///< least wholeness of those within the support
+  double rim = 1;                     ///< how far the particle nearest to the end of the support is from it, over 2h
 };
 std::vector<PlainSurroundings> SurroundingsOf(const Cloud& cloud, const PlainWater& water);
 

@@ -8,8 +8,9 @@ namespace sph {
 template <typename Real>
 struct WaterSetting {
   explicit WaterSetting(const Cloud& given) : found(FindNeighbours<Real>(given, 2 * kCloudH)), cloud(found.cloud) {
-    for (auto* values : {&water.excess, &water.pressure, &water.gradient_x, &water.gradient_y, &water.wholeness, &rate,
-                         &ax, &ay, &gradient_x, &gradient_y, &wholeness, &shift_x, &shift_y}) {
+    for (auto* values :
+         {&water.excess, &water.pressure, &water.gradient_x, &water.gradient_y, &water.wholeness, &rate, &strain, &ax,
+          &ay, &gradient_x, &gradient_y, &wholeness, &shift_x, &shift_y, &concentration, &covered}) {
       values->assign(cloud.Size(), 0);
     }
   }
@@ -17,32 +18,37 @@ struct WaterSetting {
 
   void ComputeRates() {
     const Converted arrays(*this);
-    std::vector<Real> out(cloud.Size() + kPadding);
+    std::vector<Real> out[2];
+    for (auto& values : out) values.resize(cloud.Size() + kPadding);
+    const DensitySums<Real> sums{out[0].data(), out[1].data()};
     for (const ListBlock& block : found.search.Blocks()) {
-      ComputeDensityRates(found.Input(), arrays.Input(water), block, out.data());
+      ComputeDensityRates(found.Input(), arrays.Input(water), block, sums);
     }
-    rate.assign(out.begin(), out.end() - kPadding);
+    rate.assign(out[0].begin(), out[0].end() - kPadding);
+    strain.assign(out[1].begin(), out[1].end() - kPadding);
   }
 
   /// Accelerations anew, and the sums.
   void ComputeForces() {
     const Converted arrays(*this);
-    std::vector<Real> out[5];
+    std::vector<Real> out[7];
     for (auto& values : out) values.resize(cloud.Size() + kPadding);
-    const WaterSums<Real> sums{out[0].data(), out[1].data(), out[2].data(), out[3].data(), out[4].data()};
+    const WaterSums<Real> sums{out[0].data(), out[1].data(), out[2].data(), out[3].data(),
+                               out[4].data(), out[5].data(), out[6].data()};
     ax.assign(cloud.Size(), 0);
     ay.assign(cloud.Size(), 0);
     for (ListBlock& block : found.search.Blocks()) {
       AddWaterForces(found.Input(), arrays.Input(water), block, ax.data(), ay.data(), sums);
     }
-    std::vector<double>* const to[5] = {&gradient_x, &gradient_y, &wholeness, &shift_x, &shift_y};
-    for (int k = 0; k < 5; ++k) to[k]->assign(out[k].begin(), out[k].end() - kPadding);
+    std::vector<double>* const to[7] = {&gradient_x, &gradient_y,    &wholeness, &shift_x,
+                                        &shift_y,    &concentration, &covered};
+    for (int k = 0; k < 7; ++k) to[k]->assign(out[k].begin(), out[k].end() - kPadding);
   }
 
   Neighbourhood<Real> found;
   Cloud& cloud;  ///< in the order of its clusters, which all arrays have
   PlainWater water;
-  std::vector<double> rate, ax, ay, gradient_x, gradient_y, wholeness, shift_x, shift_y;
+  std::vector<double> rate, strain, ax, ay, gradient_x, gradient_y, wholeness, shift_x, shift_y, concentration, covered;
 
  private:
   struct Converted {
@@ -77,7 +83,9 @@ struct WaterSetting {
               .viscosity = given.viscosity,
               .artificial = given.artificial,
               .spacing = given.spacing,
-              .sharp_gradient = given.sharp_gradient,
+              .variance = given.variance,
+              .gradient_flat = given.gradient_flat,
+              .gradient_fall = given.gradient_fall,
               .tensile_control = given.tensile_control};
     }
     std::vector<Real> volume, excess, pressure, vx, vy, gradient_x, gradient_y, wholeness;
