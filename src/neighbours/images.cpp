@@ -44,7 +44,7 @@ struct Beside {
 };
 Beside ImagesOf(const AxisEnds& ends, double margin, double travel, double at) {
   Beside beside;
-  if (ends.periodic) margin = std::min(margin + travel, ends.high - ends.low);
+  if (ends.periodic) margin += travel;
   if (at < ends.low + margin) beside.images[beside.count++] = ends.periodic ? ImageOf::kPeriodUp : ImageOf::kMirrorLow;
   if (at > ends.high - margin)
     beside.images[beside.count++] = ends.periodic ? ImageOf::kPeriodDown : ImageOf::kMirrorHigh;

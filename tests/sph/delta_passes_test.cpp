@@ -69,7 +69,7 @@ double BlurOfDrag(const WaterSetting<Real>& s, std::size_t i) {
     const double volume = s.cloud.mass[j] / s.water.Density(j);
     if (q < 1) sum += volume * speed * std::min(1 / q, 64.0);
   }
-  const double round_off = kTolerance<Real> / 32;  // of one operation
+  const double round_off = kTolerance<Real> / 8;  // of the few operations of a term
   return 2 * s.water.viscosity / s.water.Density(i) * factor * 8 * std::pow(3, 6) * round_off * sum;
 }
 

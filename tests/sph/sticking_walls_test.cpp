@@ -120,7 +120,7 @@ TEST_P(StickingWallsOf, DragTheFluidAboveAFloorThatGoesToAndFro) {
   channel.base.walls[0].tangential = {0, kSpeed, kFrequency, kPhase};
   channel.sph.viscosity = pi * kFrequency / (kPerLength * kPerLength);
   channel.sph.delta.viscous_form = GetParam() == WallKind::kMirror ? ViscousForm::kLaplacian : ViscousForm::kStress;
-  channel.base.time_step = 1e-3;
+  channel.base.time_step = 5e-4;
   double time = 0;
   const auto exact = [&](Vec2 x) {
     const double down = kPerLength * x.y;
@@ -129,7 +129,7 @@ TEST_P(StickingWallsOf, DragTheFluidAboveAFloorThatGoesToAndFro) {
   GivenLiquid system(channel.base, channel.sph, exact);
   double worst = 0;
   for (int eighth = 1; eighth <= 8; ++eighth) {
-    while (system.Steps() < 125 * eighth && !system.Trouble()) system.Step();
+    while (system.Steps() < 250 * eighth && !system.Trouble()) system.Step();
     ASSERT_FALSE(system.Trouble()) << system.Trouble()->Message();
     time = system.Time();
     const Particles& p = system.State();

@@ -168,7 +168,7 @@ TEST(WallsOfParticles, DragTheFluidThatSticksToThemAndNoOther) {
     double worst = 0;
     const Particles& p = system.State();
     for (std::size_t i = 0; i < p.Size(); ++i) worst = std::max(worst, Length(p.Velocity(i) - steady(p.Position(i))));
-    EXPECT_LT(worst, sticks ? 0.3 * 0.02 : 1e-12);
+    EXPECT_LT(worst, sticks ? 0.3 * 0.02 : 1e-8) << "densities that are tied to the lattice's push a little";
   }
 }
 
