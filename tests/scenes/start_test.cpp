@@ -84,7 +84,7 @@ TEST(Relaxed, RefusesARegionWithoutRoom) {
 TEST(Settling, LeavesAStarAtRestThatWouldOtherwiseBreathe) {
   const auto swing = [](std::vector<std::string> settings) {
     settings.push_back("fluid.flow=star");
-    const auto system = MakeSystem(Loaded("breathing-star", 500, settings));
+    const auto system = MakeSystem(Loaded("breathing-star", 3000, settings));
     double fastest = 0;
     for (int k = 0; k < 100; ++k) {
       system->Step();

@@ -148,7 +148,7 @@ TYPED_TEST(DeltaPasses, ForcesEqualTheSumOverAllPairs) {
 /// Where a particle stands against the thresholds of AddWaterForces.
 struct Sides {
   bool known;           // has neighbours on all sides, so that a gradient is told
-  bool at_surface;      // loses the part of the shift that leads outwards
+  bool at_surface;      // loses the outward part of the shift, but for that of close pairs
   bool near_threshold;  // round-off decides one of these
   Vec2 shift;
 };
@@ -157,10 +157,11 @@ Sides SidesOf(const PlainSurroundings& of, double tolerance) {
   const double steepness = Length(of.wholeness_gradient) * 2 * kCloudH;
   const double blur = 100 * tolerance * std::max(1.0, of.greatest);
   Sides sides{of.wholeness > 0.2, false, false, 3 * of.near.value};
-  if (of.wholeness > 0.55) sides.shift = sides.shift + of.lack.value;
   const Vec2 n = of.wholeness_gradient;
-  sides.at_surface = sides.known && steepness > kFallInASupport && Dot(sides.shift, n) > 0;
-  if (sides.at_surface) sides.shift = sides.shift - (Dot(sides.shift, n) / Dot(n, n)) * n;
+  Vec2 lack = of.lack.value;
+  sides.at_surface = sides.known && steepness > kFallInASupport && Dot(lack, n) > 0;
+  if (sides.at_surface) lack = lack - (Dot(lack, n) / Dot(n, n)) * n;
+  if (of.wholeness > 0.55) sides.shift = sides.shift + lack;
   const double slope_blur = blur * (1 + of.fall.size * of.greatest * 2 * kCloudH);
   sides.near_threshold = std::abs(of.wholeness - 0.2) < blur || std::abs(of.wholeness - 0.55) < blur ||
                          (sides.known && std::abs(steepness - kFallInASupport) < slope_blur);
