@@ -69,7 +69,7 @@ Scene SceneOf(const LatticeFluid& fluid, double time_step, int threads) {
   } else {
     scene.sph.equation_of_state = IdealGas{1, 1};
   }
-  scene.sph.delta = {.kernel = fluid.kernel, .diffusion = 0, .shifting = false, .tensile_control = false};
+  scene.sph.delta = {.kernel = fluid.kernel, .diffusion = 0, .sound_damping = 0, .shifting = false};
   scene.sph.periods.box = {0, 0, static_cast<double>(across), static_cast<double>(across)};
   scene.sph.periods.in_x = scene.sph.periods.in_y = true;
   Parameters& base = scene.base;

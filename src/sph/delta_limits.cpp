@@ -26,7 +26,7 @@ double DiffusiveStep(double delta, double sound_step, const KernelProperties& ke
 double Delta::StableSoundStep() const {
   const KernelProperties& kernel = PropertiesOf(parameters_sph.delta.kernel);
   const bool few = Support() < 3.2 * InitialSpacing();
-  return IsGas() ? (few ? 0.74 : 0.97) * kernel.gas_step : 0.985 * kernel.water_step;
+  return IsGas() ? (few ? 0.74 : 0.97) * kernel.gas_step : 0.94 * kernel.water_step;
 }
 
 std::vector<StepLimit> Delta::StepLimits() const {

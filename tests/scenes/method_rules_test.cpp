@@ -54,16 +54,20 @@ TEST(MethodRules, OnlyWhatHasNoSurfaceTakesTheGradientOfFourthOrder) {
     EXPECT_EQ(scene.sph.delta.sharp_gradient, closed);
     EXPECT_EQ(scene.sph.delta.viscous_form, closed ? ViscousForm::kLaplacian : ViscousForm::kStress);
   }
-  EXPECT_TRUE(IsClosed(Water("periodic = { box = [0.0, 0.0, 1.0, 1.0], directions = \"both\" }\n",
-                             "method.smoothing_length = 0.1\n")));
-  EXPECT_FALSE(IsClosed(Water("periodic = { box = [0.0, 0.0, 1.0, 2.0], directions = \"both\" }\n",
-                              "method.smoothing_length = 0.1\n")))
+  EXPECT_TRUE(IsClosed(
+      Water("periodic = { box = [0.0, 0.0, 1.0, 1.0], directions = \"both\" }\n", "method.smoothing_length = 0.1\n")));
+  EXPECT_FALSE(IsClosed(
+      Water("periodic = { box = [0.0, 0.0, 1.0, 2.0], directions = \"both\" }\n", "method.smoothing_length = 0.1\n")))
       << "half of it is empty";
 }
 
 TEST(MethodRules, WhatIsGivenStays) {
-  const Scene scene = Water(kTank, R"(method = { kernel = "quintic", smoothing_length = 0.11, step = "fixed",
-  time_step = 0.002, sharp_gradient = "on", viscous_form = "laplacian" })");
+  const Scene scene = Water(kTank, R"(method.kernel = "quintic"
+method.smoothing_length = 0.11
+method.step = "fixed"
+method.time_step = 0.002
+method.sharp_gradient = "on"
+method.viscous_form = "laplacian")");
   EXPECT_EQ(scene.sph.delta.kernel, SmoothingKernel::kQuintic);
   EXPECT_EQ(scene.sph.smoothing_length, 0.11);
   EXPECT_FALSE(scene.base.adaptive_step);

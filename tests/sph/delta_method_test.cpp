@@ -183,7 +183,7 @@ TEST(Shifting, IsTheStrainTimesWhatTheTwinsSumsSay) {
   for (std::uint32_t i = 0; i < shifts.size(); ++i) {
     if (!square.IsInside(square.Start(i)) || !square.IsInside(2 * square.Start(i))) continue;
     const double support = 2 * water.h;
-    const double factor = -6 * support * support * rates[i].strain * square.base.time_step;
+    const double factor = -7 * support * support * rates[i].strain * square.base.time_step;
     const Vec2 expected = factor * (around[i].lack.value + 3 * around[i].near.value);
     EXPECT_LT(Length(shifts[i] - expected), 1e-5 * std::abs(factor) / support) << i;
     ++inside;
