@@ -47,13 +47,13 @@ PointSeries SignalOf(ParticleSystemSPH& system, const std::vector<double>& times
 
 std::vector<Verdict> MeasureWallArrival(ParticleSystemSPH& system) {
   constexpr double kConverged = 2.34;
-  constexpr double kLatest = 3;
+  constexpr double kLongEnough = 3;
   const double at_the_wall = FarWall(system) - 0.5 * system.InitialSpacing();
   const double unit = UnitOfTime(system);
   PointSeries front;
   const auto note = [&] { front.push_back({system.Time() / unit, std::ranges::max(system.State().x)}); };
   note();
-  while (front.back().y < at_the_wall && system.Time() < kLatest * unit && !system.Trouble()) {
+  while (front.back().y < at_the_wall && system.Time() < kLongEnough * unit && !system.Trouble()) {
     system.Step();
     note();
   }

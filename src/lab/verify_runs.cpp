@@ -54,6 +54,7 @@ std::vector<Run> RunSeeds(const VerificationCase& of, std::size_t particles, int
 
 std::vector<double> ValuesOf(const std::vector<Run>& runs, std::size_t metric) {
   std::vector<double> values;
+  values.reserve(runs.size());
   for (const Run& run : runs) values.push_back(run.verdicts[metric].value);
   return values;
 }
@@ -65,6 +66,7 @@ Judged JudgeMetric(const std::vector<Run>& runs, std::size_t own, const std::vec
     return JudgeLevels(verdict, {{runs[own].particles, verdict.value}}, 0, {});
   }
   std::vector<Level> levels;
+  levels.reserve(runs.size());
   for (const Run& run : runs) levels.push_back({run.particles, run.verdicts[metric].value});
   return JudgeLevels(verdict, std::move(levels), own, ValuesOf(seeds, metric));
 }
