@@ -121,20 +121,10 @@ TEST(Verification, SlowTheFrontWithoutFrictionIsAtTheWallWhenItShould) {
 
 /// Rows of the quick part that are open, by the beginning of their metrics, as README says.
 const std::multimap<std::string, std::string> kOpen = {
-    {"graded-star", "mean square error"},
-    {"breathing-star", "radius"},
-    {"elliptic-star", "place of all"},
-    {"operators", "pressure force, lattice"},
-    {"elliptic-drop", "long axis"},
-    {"elliptic-drop", "kinetic energy"},
-    {"still-water", "L2 of pressure"},
-    {"still-water", "kinetic energy"},
-    {"wall-particles", "L2 of pressure"},
-    {"wall-particles", "kinetic energy"},
-    {"rest-odd-width", "kinetic energy over"},
-    {"rest-odd-width", "kinetic energy from"},
-    {"water-column", "front"},
-    {"capillary-drop", "period"},
+    {"graded-star", "mean square error"},     {"breathing-star", "radius"},      {"elliptic-star", "place of all"},
+    {"operators", "pressure force, lattice"}, {"elliptic-drop", "long axis"},    {"elliptic-drop", "kinetic energy"},
+    {"still-water", "L2 of pressure"},        {"still-water", "kinetic energy"}, {"wall-particles", "L2 of pressure"},
+    {"wall-particles", "kinetic energy"},     {"water-column", "front"},         {"capillary-drop", "period"},
 };
 
 TEST(Verification, SlowQuickCasesHoldByTheRulesOfTheirKindsButForThoseThatAreOpen) {
@@ -142,6 +132,11 @@ TEST(Verification, SlowQuickCasesHoldByTheRulesOfTheirKindsButForThoseThatAreOpe
     if (of.slow) continue;
     for (const Judged& metric : RunCase(of, {}).metrics) {
       if (metric.verdict.kind == MetricKind::kPrice) continue;  // of a machine that does other things
+      // Round-off decides when the lattice there lets go, and so by how much its tiny energy grows: within its bar.
+      if (of.name == "rest-odd-width" && metric.verdict.metric.starts_with("kinetic energy")) {
+        EXPECT_TRUE(metric.verdict.kind == MetricKind::kRatio || metric.verdict.WithinBar()) << metric.verdict.value;
+        continue;
+      }
       const auto [first, last] = kOpen.equal_range(of.name);
       const bool open =
           std::any_of(first, last, [&](const auto& row) { return metric.verdict.metric.starts_with(row.second); });
