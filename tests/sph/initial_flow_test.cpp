@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "sph/given_system.hpp"
 #include "sph/quadrature.hpp"
@@ -15,7 +16,7 @@
 namespace sph {
 namespace {
 
-const InitialFlow& Named(const std::string& name) {
+const InitialFlow& Named(std::string_view name) {
   const auto flows = AllInitialFlows();
   return *std::find_if(flows.begin(), flows.end(), [&](const InitialFlow& flow) { return flow.name == name; });
 }
