@@ -27,7 +27,7 @@ class Lattice {
  public:
   Lattice(double spacing, bool hexagonal)
       : area_(spacing * spacing),
-        a_(hexagonal ? spacing * std::sqrt(2 / std::numbers::sqrt3) : spacing, 0),
+        a_{hexagonal ? spacing * std::sqrt(2 / std::numbers::sqrt3) : spacing, 0},
         b_(hexagonal ? Vec2{0.5 * a_.x, area_ / a_.x} : Vec2{0, spacing}) {
     const int most = static_cast<int>(3 / spacing) + 2;
     for (int row = -most; row <= most; ++row) {
