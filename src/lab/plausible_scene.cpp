@@ -173,7 +173,8 @@ std::string Tank(Dice& dice) {
                      Liquid(dice, fluid) + DeltaMethod(dice, fluid, viscosity);
   const Vec2 gravity = full ? Gravity(dice, g) : at_rest || dice.Chance(0.7) ? Vec2{0, -g} : Gravity(dice, g);
   text += SetVec2("forces.gravity", gravity) + Set("forces.viscosity", fluid.density * viscosity);
-  if (at_rest || dice.Chance(0.5)) text += SetName("fluid.flow", g == 0 ? "rest" : "hydrostatic");
+  const bool held = full || gravity.x == 0;  // what a surface leaves no wall for has no pressure to start with
+  if (at_rest || dice.Chance(0.5)) text += SetName("fluid.flow", g == 0 || !held ? "rest" : "hydrostatic");
   if (shove > 0)
     text += SetVec2("fluid.velocity", {dice.Uniform(-1, 1) * shove / 1.5, dice.Uniform(-1, 1) * shove / 1.5});
   std::vector<PlannedWall> walls = {{kLeft, 0}, {kRight, width}, {kFloor, 0}};
