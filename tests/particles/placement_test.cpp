@@ -219,7 +219,7 @@ RC_GTEST_PROP(Fitted, LatticeFillsItsBoxAndHasAboutTheNumberAskedFor, ()) {
     // As far from the left side as from the right one, and from the floor as from the top.
     const Box bounds = BoundsOf(places);
     const double round_off = 1e-9 * (box.Width() + box.Height());
-    RC_ASSERT(arrange == Arrangement::kHexagonal && block.rows == 1 ||
+    RC_ASSERT((arrange == Arrangement::kHexagonal && block.rows == 1) ||
               std::abs((bounds.x0 - box.x0) - (box.x1 - bounds.x1)) < round_off);
     RC_ASSERT(std::abs((bounds.y0 - box.y0) - (box.y1 - bounds.y1)) < round_off);
     const double off = std::abs(static_cast<double>(block.particles) - static_cast<double>(asked.particles));
@@ -263,7 +263,9 @@ TEST(Fitted, DiskHoldsItsNumberAtEqualPartsOfItsAreaRoundItsCentre) {
       for (const Vec2 place : places) sum = sum + (place - block.region.centre);
       EXPECT_NEAR(Length(sum), 0, 1e-9) << "as many on every side";
       const double least = arrange == Arrangement::kHexagonal ? std::sqrt(2 / std::sqrt(3.0)) : 1;
-      if (asked > 4) EXPECT_NEAR(LeastDistance(places), least * Spacing(block), 1e-9);
+      if (asked > 4) {
+        EXPECT_NEAR(LeastDistance(places), least * Spacing(block), 1e-9);
+      }
       EXPECT_NEAR(static_cast<double>(block.particles), static_cast<double>(asked), 3 + std::sqrt(asked))
           << "by a third of what lies along the rim";
     }
