@@ -18,7 +18,7 @@ double SpacingAtStart(const Block& fluid) {
 
 /// The smoothing length over the spacing. A gas whose density varies has fewer neighbours where it is thin.
 double UsualRatio(const Scene& scene) {
-  constexpr double kOfGas = 2.4;
+  constexpr double kOfGas = 2.2;
   return scene.solver == "delta" && IsGas(scene) ? kOfGas : FindSolver(scene.solver)->usual_h;
 }
 

@@ -126,6 +126,8 @@ WaterInput<Real> Delta::WaterOf(const Arrays<Real>& arrays) const {
           .gradient_x = arrays.gradient_x.data(),
           .gradient_y = arrays.gradient_y.data(),
           .wholeness = arrays.wholeness.data(),
+          .strain = arrays.strain.data(),
+          .sound = Sound(),
           .rho0 = Rho0(),
           .diffusion = delta.diffusion * h_c,
           .viscosity = stress ? 0 : mu,
@@ -170,8 +172,7 @@ void Delta::ComputeWaterForces() {
         CopyPressureToImages(arrays);
         SetWallParticles(fluid, arrays, sides);
         const WaterSums<Real> sums{arrays.gradient_x.data(), arrays.gradient_y.data(), arrays.next_wholeness.data(),
-                                   arrays.shift_x.data(),    arrays.shift_y.data(),    arrays.concentration.data(),
-                                   arrays.covered.data()};
+                                   arrays.shift_x.data(),    arrays.shift_y.data(),    arrays.concentration.data()};
         ForEachBlock([&](ListBlock& block) {
           const auto [first, last] = ParticlesOf(block);
           ClearAccelerations(first, last);
@@ -231,7 +232,7 @@ std::size_t Delta::Bytes() const {
   return ParticleSystemSPH::Bytes() + own +
          std::visit(
              []<typename Real>(const Arrays<Real>& arrays, const auto& surface, const auto& walls) {
-               return sizeof(Real) * (15 * arrays.volume.capacity() + 5 * surface.weight.capacity()) + walls.Bytes();
+               return sizeof(Real) * (14 * arrays.volume.capacity() + 5 * surface.weight.capacity()) + walls.Bytes();
              },
              arrays_, surface_, wall_values_);
 }

@@ -56,13 +56,12 @@ class Delta : public ParticleSystemSPH {
   template <typename Real>
   struct Arrays {
     std::vector<Real> volume, excess, pressure, vx, vy, gradient_x, gradient_y, wholeness, next_wholeness;
-    std::vector<Real> rate, strain, concentration, covered;
+    std::vector<Real> rate, strain, concentration;
     std::vector<Real> shift_x, shift_y;  // sums of the force pass; once the step is made, the shifts [m]
 
-    std::array<std::vector<Real>*, 15> All() {
-      return {&volume,        &excess,    &pressure,       &vx,   &vy,     &gradient_x,
-              &gradient_y,    &wholeness, &next_wholeness, &rate, &strain, &shift_x,
-              &concentration, &covered,   &shift_y};
+    std::array<std::vector<Real>*, 14> All() {
+      return {&volume,    &excess,         &pressure, &vx,     &vy,      &gradient_x,    &gradient_y,
+              &wholeness, &next_wholeness, &rate,     &strain, &shift_x, &concentration, &shift_y};
     }
     /// What a step leaves to the next, in the order of the particles.
     std::array<std::vector<Real>*, 6> Kept() {

@@ -131,13 +131,13 @@ void Delta::Shift() {
 /// the difference in the time that sound takes through a support. The sound that this makes is that small.
 void Delta::TieDensity() {
   constexpr double kRate = 0.002;  // k
-  constexpr double kInside = 0.75, kSureOfIt = 0.9;
+  constexpr double kSureOfIt = 0.9;
   const double share = std::min(0.1, LastStep() * kRate * Sound() / Support());
   std::visit(
       [&]<typename Real>(const Arrays<Real>& arrays) {
         ForEachChunk([&](std::size_t, std::size_t first, std::size_t last) {
           for (std::size_t i = first; i < last; ++i) {
-            if (arrays.covered[i] < Real(kInside) || arrays.next_wholeness[i] < Real(kSureOfIt)) continue;
+            if (arrays.concentration[i] == 0 || arrays.next_wholeness[i] < Real(kSureOfIt)) continue;
             density_[i] *= 1 + share * (static_cast<double>(arrays.concentration[i]) / lattice_.concentration - 1);
           }
         });

@@ -39,20 +39,20 @@ std::vector<StepLimit> Delta::StepLimits() const {
   const double spreading = delta.diffusion * h_c;
   if (spreading > 0) {
     const double step = DiffusiveStep(spreading / (0.5 * Support() * Sound()), StableSoundStep(), kernel);
-    limits.push_back({"density diffusion", step * half2 / spreading, true});
+    limits.push_back({"density diffusion", step * half2 / spreading, LimitKind::kDecaying});
   }
   // Leapfrog with the rate of half a step before is stable for (w dt)^2 + 2 alpha h c k^2 dt < 4, w = c k.
   const double damping = delta.sound_damping * h_c;
   if (damping > 0) {
-    limits.push_back({"sound damping", 0.5 * StableSoundStep() * StableSoundStep() * half2 / damping, true});
+    limits.push_back({"sound damping", 0.5 * StableSoundStep() * StableSoundStep() * half2 / damping, LimitKind::kDecaying});
   }
   // Half of these, because the velocity at the step is extrapolated from two half steps (Adams-Bashforth). In the form
   // of stresses the greatest eigenvalue is at most the trace, which is four times the plain sum.
   const double artificial = delta.artificial_viscosity * h_c;
-  if (artificial > 0) limits.push_back({"artificial viscosity", 0.5 * kernel.along_spread * half2 / artificial, true});
+  if (artificial > 0) limits.push_back({"artificial viscosity", 0.5 * kernel.along_spread * half2 / artificial, LimitKind::kDecaying});
   const double nu = parameters_sph.viscosity / Rho0();
   const double viscous = delta.viscous_form == ViscousForm::kStress ? 0.25 * kernel.spread : kSepticSpread;
-  if (nu > 0) limits.push_back({"viscosity", 0.5 * viscous * half2 / nu, true});
+  if (nu > 0) limits.push_back({"viscosity", 0.5 * viscous * half2 / nu, LimitKind::kDecaying});
   if (HasTension()) {
     limits.push_back({"surface tension", LongestTensionStep(Support(), Rho0(), delta.surface_tension)});
   }

@@ -20,7 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Below this wholeness a particle's neighbours do not tell a gradient.
 constexpr double kLeastWholeness = 0.2;
-/// Around the surface [Sun et al. 2017]: below the first no shift at all, and where wholeness falls by more than the
+/// Around the surface [Sun et al. 2017]: below the first no shift but apart, and where wholeness falls by more than the
 /// second within a support radius none towards the surface.
 constexpr double kSurface = 0.55;
 constexpr double kFallAtSurface = 0.2;
@@ -29,8 +29,11 @@ constexpr double kInside = 0.75;
 
 /// Particles closer than this, in spacings, are on the way to pair: those of an even fluid are 0.8 or more apart.
 constexpr double kTooClose = 0.7;
-/// How much stronger than the others these push each other apart.
-constexpr double kPushApart = 3;
+/// How much stronger than the others these push each other apart; less where a surface is near, as thin tongues would
+/// run ahead of their water, and where the relative speeds over a support are less than so much of sound's, as it would
+/// lift what lies at rest.
+constexpr double kPushApart = 2;
+constexpr double kRestless = 0.02;
 
 /// The least eigenvalue of the symmetric matrix.
 template <class D, class V = hn::Vec<D>>
@@ -113,8 +116,7 @@ class Surroundings {
         lack_y_(xx_),
         near_x_(xx_),
         near_y_(xx_),
-        concentration_(xx_),
-        covered_(hn::Set(d, Real(1))) {}
+        concentration_(xx_) {}
 
   /// A neighbour j at a distance of (-dx, -dy).
   struct Neighbour {
@@ -140,12 +142,11 @@ class Surroundings {
     near_x_ = hn::NegMulAdd(j.wx, j.closeness, near_x_);
     near_y_ = hn::NegMulAdd(j.wy, j.closeness, near_y_);
     concentration_ = hn::Add(concentration_, j.value);
-    covered_ = hn::Min(covered_, hn::IfThenElse(hn::Gt(j.value, hn::Zero(d_)), j.wholeness, covered_));
   }
 
   /// slope, value = the kernel's factors, unit = metres of a coordinate's unit
   HWY_INLINE void Store(double slope, double value, double unit, double support, const Cluster& cluster,
-                        const WaterSums<Real>& sums) const {
+                        const WaterInput<Real>& water, const WaterSums<Real>& sums) const {
     const V per_metre = Set(slope);
     const V matrix = Set(slope * unit);
     const V xx = hn::Mul(xx_, matrix), xy = hn::Mul(xy_, matrix), yy = hn::Mul(yy_, matrix);
@@ -163,17 +164,20 @@ class Surroundings {
     StoreCluster(d_, wholeness, cluster, sums.wholeness);
     StoreCluster(d_, gx, cluster, sums.gradient_x);
     StoreCluster(d_, gy, cluster, sums.gradient_y);
-    StoreCluster(d_, hn::Mul(concentration_, Set(value)), cluster, sums.concentration);
-    StoreCluster(d_, covered_, cluster, sums.covered);
     // The shift goes against `lack`; where wholeness grows in that direction it leads inwards.
     V sx = hn::Mul(lack_x_, per_metre), sy = hn::Mul(lack_y_, per_metre);
     const V steepness2 = hn::MulAdd(nx, nx, hn::Mul(ny, ny));
     const V along = hn::MulAdd(sx, nx, hn::Mul(sy, ny));
     const double threshold = kFallAtSurface / support;
-    const auto outwards = hn::And(hn::Gt(steepness2, Set(threshold * threshold)), hn::Gt(along, hn::Zero(d_)));
+    const auto steep = hn::Gt(steepness2, Set(threshold * threshold));
+    StoreCluster(d_, hn::IfThenZeroElse(steep, hn::Mul(concentration_, Set(value))), cluster, sums.concentration);
+    const auto outwards = hn::And(steep, hn::Gt(along, hn::Zero(d_)));
     const V normal_part = hn::IfThenElseZero(outwards, hn::Div(along, hn::Max(steepness2, Set(threshold * threshold))));
     const auto inside = hn::Gt(wholeness, Set(kSurface));
-    const V apart = Set(kPushApart * slope);
+    const V strain = hn::LoadU(d_, water.strain + cluster.first);
+    const V deep = hn::Min(hn::Mul(wholeness, Set(1 / kSurface)), Set(1));
+    const V restless = hn::Min(hn::Mul(strain, Set(support / (kRestless * water.sound))), Set(1));
+    const V apart = hn::Mul(hn::Mul(deep, restless), Set(kPushApart * slope));
     sx = hn::MulAdd(near_x_, apart, hn::IfThenElseZero(inside, hn::NegMulAdd(normal_part, nx, sx)));
     sy = hn::MulAdd(near_y_, apart, hn::IfThenElseZero(inside, hn::NegMulAdd(normal_part, ny, sy)));
     StoreCluster(d_, sx, cluster, sums.shift_x);
@@ -186,7 +190,7 @@ class Surroundings {
   D d_;
   V xx_, xy_, yy_;
   V rise_x_, rise_y_, fall_x_, fall_y_, lack_x_, lack_y_, near_x_, near_y_;
-  V concentration_, covered_;
+  V concentration_;
 };
 
 /// kMaySharpen: the push has weights of its own if the input wants them; else it never has.
@@ -270,7 +274,7 @@ void Forces(const PassInput<Real>& input, const WaterInput<Real>& water, ListBlo
     };
     AddLanes(d, total(push_x, drag_x), cluster, ax);
     AddLanes(d, total(push_y, drag_y), cluster, ay);
-    around.Store(slope, value_factor, unit, input.support, cluster, sums);
+    around.Store(slope, value_factor, unit, input.support, cluster, water, sums);
     if (refine) refinement.Close(k);
   }
   block.coarse = false;

@@ -33,6 +33,8 @@ struct WaterInput {
   const Real* gradient_x = nullptr;  ///< of density, renormalised [kg/m^4]
   const Real* gradient_y = nullptr;
   const Real* wholeness = nullptr;  ///< see WaterSums; of the step before
+  const Real* strain = nullptr;     ///< see DensitySums; of the same step
+  double sound = 0;                 ///< c [m/s]
   double rho0 = 0;                  ///< [kg/m^3]
   double diffusion = 0;             ///< delta h c [m^2/s]
   double viscosity = 0;             ///< mu [Pa s]
@@ -71,12 +73,13 @@ struct WaterSums {
       nullptr;  ///< of density, renormalised [kg/m^4]; 0 where the particle has neighbours on one side only
   Real* gradient_y = nullptr;
   Real* wholeness = nullptr;  ///< least eigenvalue of sum_j V_j (x_j - x_i) (x) grad W: 1 inside, 0 for a lone particle
-  /// sum_j V_j [1 + 0.2 (W/W(dx))^4] grad W, the part that the surface leaves, plus 3 sum_j V_j [1 - (r/(0.7 dx))^2]
-  /// grad W over those that are closer than 0.7 dx [1/m]
+  /// sum_j V_j [1 + 0.2 (W/W(dx))^4] grad W, the part that the surface leaves, plus 2 min(1, wholeness/0.55)
+  /// min(1, S R/(0.02 c)) times sum_j V_j [1 - (r/(0.7 dx))^2] grad W over those that are closer than 0.7 dx [1/m]
   Real* shift_x = nullptr;
   Real* shift_y = nullptr;
-  Real* concentration = nullptr;  ///< sum_j V_j W, the particle itself included
-  Real* covered = nullptr;        ///< the least wholeness of the step before within the support, 1 at most
+  /// sum_j V_j W, the particle itself included; 0 where wholeness, of the step before, falls by more than 0.2 within a
+  /// support radius, as it does beside a surface
+  Real* concentration = nullptr;
 };
 
 /// Adds to the accelerations [m/s^2] of the block's particles

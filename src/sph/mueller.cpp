@@ -74,7 +74,7 @@ std::vector<StepLimit> Mueller::StepLimits() const {
   const auto density = Density();
   if (parameters_sph.viscosity > 0 && !density.empty()) {
     const double least = *std::min_element(density.begin(), density.end());
-    limits.push_back({"viscosity", ViscousStep(parameters_sph.viscosity, least, Support()), true});
+    limits.push_back({"viscosity", ViscousStep(parameters_sph.viscosity, least, Support()), LimitKind::kDecaying});
   }
   return limits;
 }

@@ -293,9 +293,9 @@ std::vector<StepLimit> ParticleSystemSPH::StepLimits() const {
     fastest2 = std::max(fastest2, p.vx_prev[i] * p.vx_prev[i] + p.vy_prev[i] * p.vy_prev[i]);
     pushed2 = std::max(pushed2, p.ax[i] * p.ax[i] + p.ay[i] * p.ay[i]);
   }
-  // Accuracy rather than stability: no particle passes its neighbours, or is thrown past them, within a step.
-  limits.push_back({"speed of the particles", 0.5 * h / std::sqrt(fastest2)});
-  limits.push_back({"acceleration", 0.5 * std::sqrt(h / std::sqrt(pushed2))});
+  // No particle passes its neighbours, or is thrown past them, within a step.
+  limits.push_back({"speed of the particles", 0.5 * h / std::sqrt(fastest2), LimitKind::kAccuracy});
+  limits.push_back({"acceleration", 0.5 * std::sqrt(h / std::sqrt(pushed2)), LimitKind::kAccuracy});
   return limits;
 }
 

@@ -44,7 +44,7 @@ TEST(MethodRules, AGasHasAKernelOfItsOwn) {
   request.scene = "breathing-star";
   const Scene scene = LoadScene(request);
   EXPECT_EQ(scene.sph.delta.kernel, SmoothingKernel::kWendlandC4);
-  EXPECT_NEAR(scene.sph.smoothing_length, 2.4 * Spacing(scene.base.fluid), 1e-12);
+  EXPECT_NEAR(scene.sph.smoothing_length, 2.2 * Spacing(scene.base.fluid), 1e-12);
 }
 
 TEST(MethodRules, OnlyWhatHasNoSurfaceTakesTheGradientOfFourthOrder) {
@@ -83,7 +83,7 @@ TEST(MethodRules, AnotherSolverHasItsOwnSmoothingLengthUnlessItIsSet) {
   EXPECT_EQ(of_paper, 0.04) << "Table I";
   request.solver = "delta";
   const Scene delta = LoadScene(request);
-  EXPECT_NEAR(delta.sph.smoothing_length, 2.4 * std::sqrt(delta.base.fluid.region.Area() / 1000), 1e-12);
+  EXPECT_NEAR(delta.sph.smoothing_length, 2.2 * std::sqrt(delta.base.fluid.region.Area() / 1000), 1e-12);
   request.settings = {"method.smoothing_length=0.05"};
   EXPECT_EQ(LoadScene(request).sph.smoothing_length, 0.05);
 }

@@ -179,12 +179,14 @@ TEST(Shifting, IsTheStrainTimesWhatTheTwinsSumsSay) {
   water.variance = VarianceOf(water.kernel, water.h);
   const auto rates = PlainDensityRates(cloud, water);
   const auto around = SurroundingsOf(cloud, water);
+  const double sound = std::visit([](const auto& of) { return of.SoundSpeed(kRho0); }, square.sph.equation_of_state);
   int inside = 0;
   for (std::uint32_t i = 0; i < shifts.size(); ++i) {
     if (!square.IsInside(square.Start(i)) || !square.IsInside(2 * square.Start(i))) continue;
     const double support = 2 * water.h;
     const double factor = -7 * support * support * rates[i].strain * square.base.time_step;
-    const Vec2 expected = factor * (around[i].lack.value + 3 * around[i].near.value);
+    const double restless = std::min(1.0, rates[i].strain * support / (0.02 * sound));
+    const Vec2 expected = factor * (around[i].lack.value + 2 * restless * around[i].near.value);
     EXPECT_LT(Length(shifts[i] - expected), 1e-5 * std::abs(factor) / support) << i;
     ++inside;
   }

@@ -317,6 +317,7 @@ TEST(DeltaOperators, ParticlesThatAreTooCloseAreShiftedApartHoweverManyAreOnTheF
     WaterSetting<double> s(cloud);
     s.water.spacing = kDx;
     s.water.wholeness.assign(cloud.Size(), 1);
+    s.water.strain.assign(cloud.Size(), s.water.sound / kDx);
     s.ComputeForces();
     const auto plain = SurroundingsOf(s.cloud, s.water);
     Vec2 near;

@@ -201,7 +201,7 @@ TEST(StepLimits, OfViscosityAreThoseOfWavesOnLattices) {
     liquid.sph.viscosity = 3;
     // d = 2 nu times the sum, d dt < 2, and half of that as velocities are extrapolated.
     const StepLimit limit = Named(liquid.Limits(), "viscosity");
-    EXPECT_TRUE(limit.damping);
+    EXPECT_EQ(limit.of, LimitKind::kDecaying);
     EXPECT_NEAR(limit.seconds / (0.5 * least / 3), 1, 0.005) << "two digits";
   }
 }

@@ -169,10 +169,6 @@ std::vector<PlainSurroundings> SurroundingsOf(const Cloud& cloud, const PlainWat
   for (std::size_t i = 0; i < cloud.Size(); ++i) {
     PlainSurroundings& of = all[i];
     Matrix places;
-    for (std::size_t j = 0; j < cloud.Size(); ++j) {
-      const double r = std::hypot(cloud.x[i] - cloud.x[j], cloud.y[i] - cloud.y[j]);
-      of.rim = std::min(of.rim, std::abs(1 - r / (2 * water.h)));
-    }
     ForNeighbours(cloud, i, water.h, [&](std::size_t j, Vec2 d, double r) {
       const double volume = cloud.mass[j] / water.Density(j);
       const Vec2 gradient = GradientAt(water.kernel, water.h, r) * d;
@@ -183,7 +179,6 @@ std::vector<PlainSurroundings> SurroundingsOf(const Cloud& cloud, const PlainWat
       Add(of.lack, volume * (1 + 0.2 * std::pow(value / at_spacing, 4)) * gradient);
       Add(of.near, volume * std::max(0.0, 1 - std::pow(r / (0.7 * water.spacing), 2)) * gradient);
       of.concentration += volume * value;
-      of.covered = std::min(of.covered, water.wholeness[j]);
     });
     of.greatest = places.Greatest();
     of.wholeness = places.Least();

@@ -30,7 +30,8 @@ struct PlainWater {
   double variance = 0.3 * kCloudH * kCloudH;  // no kernel's
   double gradient_flat = 1, gradient_fall = 0;
   bool tensile_control = true;
-  std::vector<double> excess, pressure, gradient_x, gradient_y, wholeness;
+  double sound = 1;
+  std::vector<double> excess, pressure, gradient_x, gradient_y, wholeness, strain;
 
   double Density(std::size_t i) const { return rho0 + excess[i]; }
 };
@@ -67,8 +68,6 @@ struct PlainSurroundings {
   PlainSum lack;                      ///< sum_j V_j [1 + 0.2 (W/W(dx))^4] grad W
   PlainSum near;                      ///< sum_j V_j [1 - (r/(0.7 dx))^2] grad W over those closer than 0.7 dx
   double concentration = 0;           ///< sum_j V_j W
-  double covered = 1;                 ///< least wholeness of those within the support
-  double rim = 1;                     ///< how far the particle nearest to the end of the support is from it, over 2h
 };
 std::vector<PlainSurroundings> SurroundingsOf(const Cloud& cloud, const PlainWater& water);
 

@@ -9,8 +9,8 @@ template <typename Real>
 struct WaterSetting {
   explicit WaterSetting(const Cloud& given) : found(FindNeighbours<Real>(given, 2 * kCloudH)), cloud(found.cloud) {
     for (auto* values :
-         {&water.excess, &water.pressure, &water.gradient_x, &water.gradient_y, &water.wholeness, &rate, &strain, &ax,
-          &ay, &gradient_x, &gradient_y, &wholeness, &shift_x, &shift_y, &concentration, &covered}) {
+         {&water.excess, &water.pressure, &water.gradient_x, &water.gradient_y, &water.wholeness, &water.strain, &rate,
+          &strain, &ax, &ay, &gradient_x, &gradient_y, &wholeness, &shift_x, &shift_y, &concentration}) {
       values->assign(cloud.Size(), 0);
     }
   }
@@ -31,24 +31,23 @@ struct WaterSetting {
   /// Accelerations anew, and the sums.
   void ComputeForces() {
     const Converted arrays(*this);
-    std::vector<Real> out[7];
+    std::vector<Real> out[6];
     for (auto& values : out) values.resize(cloud.Size() + kPadding);
-    const WaterSums<Real> sums{out[0].data(), out[1].data(), out[2].data(), out[3].data(),
-                               out[4].data(), out[5].data(), out[6].data()};
+    const WaterSums<Real> sums{out[0].data(), out[1].data(), out[2].data(),
+                               out[3].data(), out[4].data(), out[5].data()};
     ax.assign(cloud.Size(), 0);
     ay.assign(cloud.Size(), 0);
     for (ListBlock& block : found.search.Blocks()) {
       AddWaterForces(found.Input(), arrays.Input(water), block, ax.data(), ay.data(), sums);
     }
-    std::vector<double>* const to[7] = {&gradient_x, &gradient_y,    &wholeness, &shift_x,
-                                        &shift_y,    &concentration, &covered};
-    for (int k = 0; k < 7; ++k) to[k]->assign(out[k].begin(), out[k].end() - kPadding);
+    std::vector<double>* const to[6] = {&gradient_x, &gradient_y, &wholeness, &shift_x, &shift_y, &concentration};
+    for (int k = 0; k < 6; ++k) to[k]->assign(out[k].begin(), out[k].end() - kPadding);
   }
 
   Neighbourhood<Real> found;
   Cloud& cloud;  ///< in the order of its clusters, which all arrays have
   PlainWater water;
-  std::vector<double> rate, strain, ax, ay, gradient_x, gradient_y, wholeness, shift_x, shift_y, concentration, covered;
+  std::vector<double> rate, strain, ax, ay, gradient_x, gradient_y, wholeness, shift_x, shift_y, concentration;
 
  private:
   struct Converted {
@@ -63,6 +62,7 @@ struct WaterSetting {
       Convert(s.water.gradient_x, gradient_x);
       Convert(s.water.gradient_y, gradient_y);
       Convert(s.water.wholeness, wholeness);
+      Convert(s.water.strain, strain);
     }
     static void Convert(const std::vector<double>& from, std::vector<Real>& to) {
       to.assign(from.begin(), from.end());
@@ -78,6 +78,8 @@ struct WaterSetting {
               .gradient_x = gradient_x.data(),
               .gradient_y = gradient_y.data(),
               .wholeness = wholeness.data(),
+              .strain = strain.data(),
+              .sound = given.sound,
               .rho0 = given.rho0,
               .diffusion = given.diffusion,
               .viscosity = given.viscosity,
@@ -88,7 +90,7 @@ struct WaterSetting {
               .gradient_fall = given.gradient_fall,
               .tensile_control = given.tensile_control};
     }
-    std::vector<Real> volume, excess, pressure, vx, vy, gradient_x, gradient_y, wholeness;
+    std::vector<Real> volume, excess, pressure, vx, vy, gradient_x, gradient_y, wholeness, strain;
   };
 };
 
