@@ -6,6 +6,8 @@
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
 
+#include <limits>
+
 #include "sph/cluster_pairs-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,7 +43,7 @@ void Means(const PassInput<Real>& input, const WaterInput<Real>& water, const Cl
                     vy = hn::MulAdd(value, hn::Set(d, water.vy[j]), vy);
                     wholeness = hn::MulAdd(value, hn::Set(d, water.wholeness[j]), wholeness);
                   });
-    const auto some = hn::Gt(sum, zero);
+    const auto some = hn::Ge(sum, set(std::numeric_limits<Real>::min()));  // the inverse of less is no number
     const auto per_sum = hn::IfThenElseZero(some, hn::Div(one, hn::IfThenElse(some, sum, one)));
     const auto store = [&](auto total, std::vector<Real>& to)
                            HWY_ATTR { StoreCluster(d, hn::Mul(total, per_sum), cluster, to.data()); };
