@@ -75,10 +75,15 @@ TEST(EllipticDropJudgement, KnowsTheAxisAtAnyTime) {
 
 TEST(StillWaterJudgement, FindsTheErrorThatIsPutIn) {
   const auto flow = FlowOf("still-water");
-  const auto rest = [](Vec2 at) { return State{{0.01, 0}, 1000 * (0.9 - at.y) + 9}; };
-  const auto verdicts = kStillWater.judge(*flow, std::vector{Lattice(30, {0, 0, 2, 0.9}, 2, rest)});
-  EXPECT_NEAR(verdicts[0].value, 0.01, 1e-12);
-  EXPECT_NEAR(verdicts[1].value, 0.5 * 1e-4 / 0.9, 1e-12);
+  constexpr double kSound2 = 360, kHeight = 0.9;  // rho = 1000 exp((H - y)/c^2)
+  const auto rest = [](Vec2 at) {
+    return State{{0.01, 0}, 1000 * kSound2 * std::expm1((kHeight - at.y) / kSound2) + 9};
+  };
+  FlowSnapshot now = Lattice(30, {0, 0, 2, kHeight}, 2, rest);
+  for (double& mass : now.particles.mass) mass *= 1000 * kSound2 * std::expm1(kHeight / kSound2) / kHeight;
+  const auto verdicts = kStillWater.judge(*flow, std::vector{now});
+  EXPECT_NEAR(verdicts[0].value, 0.01, 1e-5) << "the surface is told to the second order in g H/c^2";
+  EXPECT_NEAR(verdicts[1].value, 0.5 * 1e-4 / kHeight, 1e-9);
 }
 
 TEST(PoiseuilleJudgement, FindsTheParabolaAtTheEndAndRestAtTheStart) {
