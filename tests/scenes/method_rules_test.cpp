@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "particles/diagnostics.hpp"
 #include "scenes/build.hpp"
 #include "scenes/catalogue.hpp"
 #include "scenes/request.hpp"
@@ -29,6 +30,20 @@ wall = [ { name = "l", at = 0.0, fluid = "right" }, { name = "r", at = 1.0, flui
 const std::string kTank = kOfTank + "]\n";
 const std::string kFullBox = kOfTank + R"(, { name = "c", at = 1.0, fluid = "below" } ]
 )";
+
+TEST(MethodRules, VorticesWithoutViscosityGainNoEnergy) {
+  SceneRequest request;
+  request.scene = "taylor-green";
+  request.particles = 225;
+  request.settings = {"forces.viscosity=0"};
+  const auto system = MakeSystem(LoadScene(request));
+  const double before = Diagnose(*system).kinetic_energy;
+  while (system->Time() < 1 && !system->Trouble()) {
+    system->Step();
+    ASSERT_LE(Diagnose(*system).kinetic_energy, 1.001 * before) << system->Time();  // 1.0002 as it starts
+  }
+  EXPECT_GE(system->Time(), 1);
+}
 
 TEST(MethodRules, ALiquidNeedsNoMethodAtAll) {
   const Scene scene = Water(kTank);

@@ -197,6 +197,12 @@ const StepLimit& Named(const std::vector<StepLimit>& limits, const std::string& 
   return *std::ranges::find(limits, what, &StepLimit::what);
 }
 
+TEST(StepLimits, OfAccuracyHoldByThemselves) {
+  const StepLimit swings{"a", 1}, lax{"b", 1.1, LimitKind::kAccuracy}, strict{"c", 0.5, LimitKind::kAccuracy};
+  EXPECT_EQ(LargestStep({swings, lax}), LargestStep({swings}));
+  EXPECT_EQ(LargestStep({swings, lax, strict}), kStepSafety * 0.5);
+}
+
 TEST(StepLimits, OfViscosityAreThoseOfWavesOnLattices) {
   for (const SmoothingKernel kernel : kAllKernels) {
     double least = 1;
